@@ -91,9 +91,13 @@ class Result:
         values: dict[str, Any] = json.loads(self.to_json())
         return values
 
-    def summary(self, full: bool = False) -> str:
-        """The text that the command prints; with ``full`` numbers have all their digits."""
-        return str(self._answer.text(full))
+    def summary(self, full: bool = False, explain: bool = False) -> str:
+        """The text that the command prints.
+
+        With ``full`` numbers have all their digits; with ``explain`` an identification shows
+        how it came about.
+        """
+        return str(self._answer.text(full, explain))
 
     def report(self, path: str | os.PathLike[str] | None = None) -> str:
         """The answer with its pictures as one HTML page, written where a path is given."""
@@ -276,7 +280,11 @@ class Shown:
 
     def __init__(self, answer: _lacuna.Answer) -> None:
         self._json = answer.json()
-        self._texts = (answer.text(False), answer.text(True))
+        self._texts = {
+            (full, explain): answer.text(full, explain)
+            for full in (False, True)
+            for explain in (False, True)
+        }
         self._trail = answer.trail() if answer.has_trail else ""
         self._page = answer.html("") if answer.has_page else ""
         self._pictures = dict(answer.pictures())
@@ -294,9 +302,9 @@ class Shown:
         """As `Answer.json`."""
         return self._json
 
-    def text(self, full: bool) -> str:
+    def text(self, full: bool, explain: bool) -> str:
         """As `Answer.text`."""
-        return self._texts[full]
+        return self._texts[full, explain]
 
     def trail(self) -> str:
         """As `Answer.trail`."""

@@ -19,6 +19,7 @@
 #include "lacuna/report/pages/diagnosis_report.hpp"
 #include "lacuna/report/pages/fit_report.hpp"
 #include "own_stages.hpp"
+#include "report/pages/folded_text.hpp"
 #include "report/pages/pages.hpp"
 
 namespace lacuna::python {
@@ -27,7 +28,7 @@ namespace {
 /// An answer in all the ways in which it is shown. What an answer cannot be shown as is empty.
 struct Answer {
   std::function<std::string()> json;
-  std::function<std::string(bool full)> text;
+  std::function<std::string(const TextOptions& options)> text;
   std::function<Page()> page = {};
   std::function<std::string()> trail = {};
   std::optional<SystemModel> model = {};
@@ -125,7 +126,7 @@ Answer identify(const nb::dict& arguments) {
       }));
   Answer answer{
       [found] { return format_json(found->report); },
-      [found](bool full) { return text_of(*found, full); },
+      [found](const TextOptions& options) { return text_of(*found, options); },
       [found] { return identification_page(found->report, found->records.excerpt()); }};
   answer.model.emplace(found->report.result.model);
   answer.warnings = found->report.result.warnings;
@@ -155,9 +156,9 @@ Answer diagnose(const nb::dict& arguments) {
         return cli::answer(registry(), request, context);
       }));
   Answer answer{[found] { return format_json(found->diagnosis); },
-                [found](bool) { return text_of(*found); },
+                [found](const TextOptions&) { return text_of(*found); },
                 [found] { return diagnosis_page(found->diagnosis); },
-                [found] { return format_trail(found->diagnosis); }};
+                [found] { return explanation_of(*found, {}); }};
   answer.model.emplace(found->diagnosis.augmented);
   return answer;
 }
@@ -176,7 +177,7 @@ Answer fit(const nb::dict& arguments) {
         return cli::answer(request, context);
       }));
   Answer answer{[found] { return format_json(*found); },
-                [found](bool) { return format_text(*found); },
+                [found](const TextOptions&) { return format_text(*found); },
                 [found] { return fit_page(*found); }};
   answer.model.emplace(found->model);
   if (!found->converged) answer.failure = "the fit did not converge";
@@ -196,7 +197,7 @@ Answer sync(const nb::dict& arguments) {
         return cli::answer(registry(), request, context);
       }));
   Answer answer{[found] { return format_json(found->report); },
-                [found](bool) { return text_of(*found); },
+                [found](const TextOptions&) { return text_of(*found); },
                 [found] { return sync_page(found->report, found->data); }};
   answer.failure = failure_of(*found);
   return answer;
@@ -215,7 +216,7 @@ Answer compare(const nb::dict& arguments) {
         return cli::answer(registry(), request, context);
       }));
   Answer answer{[found] { return format_json(found->report); },
-                [found](bool) { return format_text(found->report); }};
+                [found](const TextOptions&) { return format_text(found->report); }};
   answer.failure = found->problem;
   return answer;
 }
@@ -231,7 +232,7 @@ Answer check(const nb::dict& arguments) {
         return cli::answer(registry(), request);
       }));
   return {[found] { return format_json(*found); },
-          [found](bool) { return format_text(*found); }};
+          [found](const TextOptions&) { return format_text(*found); }};
 }
 
 /// What was simulated, as a record.
@@ -294,8 +295,11 @@ void bind_answers(nb::module_& module) {
   nb::class_<Answer>(module, "Answer", "What a command answers, in the ways it shows it.")
       .def("json", [](const Answer& self) { return self.json(); })
       .def(
-          "text", [](const Answer& self, bool full) { return printable(self.text(full)); },
-          nb::arg("full"))
+          "text",
+          [](const Answer& self, bool full, bool explain) {
+            return folded(printable(self.text({{.full = full}, explain})));
+          },
+          nb::arg("full"), nb::arg("explain"))
       .def("html", &html_of, nb::arg("command"))
       .def("pictures", &pictures)
       .def(

@@ -123,7 +123,8 @@ def test_json_and_text_are_those_of_the_command(name: str, inside: Path, command
 def test_full_text_and_trail_are_those_of_the_command(inside: Path, command: Command) -> None:
     found = lacuna.identify("run.csv", inputs="u", preset="sindy", degree=1)
     shown = ["identify", "run.csv", "--inputs", "u", "--preset", "sindy", "--degree", "1"]
-    assert found.summary(full=True) == command(*shown, "--full", folder=inside)
+    asked = ["--digits", "full", "--explain"]
+    assert found.summary(full=True, explain=True) == command(*shown, *asked, folder=inside)
     lacks = lacuna.diagnose("nominal.ode", "run.csv", effects="linear-term")
     shown = ["diagnose", "--model", "nominal.ode", "run.csv", "--effect", "linear-term"]
     text = command(*shown, "--explain", folder=inside)

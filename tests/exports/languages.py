@@ -86,7 +86,9 @@ class C(Pygments):
                                   model.number, point.t, model.states)
 
     def included(self, model):
-        own = ["lacuna_" + name for name in ("rate", "sign", "step", "min", "max")]
+        own = ["lacuna_" + name for name in (
+            "rate", "output", "initial", "jacobian", "advance", "parameters", "sign", "step", "min",
+            "max")]
         return "".join("#define %s %s_%d\n" % (name, name[7:], model.number) for name in own) + \
             '#include "%d.%s"\n' % (model.number, self.suffix) + \
             "".join("#undef %s\n" % name for name in own)
@@ -132,8 +134,9 @@ class Python:
                     token.type != tokenize.COMMENT and marker in token.string:
                 yield "code %r" % token.string
         tree = ast.parse(model.bytes)
-        if [type(node).__name__ for node in tree.body] != ["Import", "FunctionDef"]:
-            yield "more than an import and a function"
+        kinds = [type(node).__name__ for node in tree.body]
+        if kinds[:2] != ["Import", "FunctionDef"] or kinds[2:] not in ([], ["FunctionDef"]):
+            yield "more than an import, rates and outputs"
         bound = [node.id for node in ast.walk(tree)
                  if isinstance(node, ast.Name) and isinstance(node.ctx, ast.Store)]
         names = [name for name in bound if name != "t"]
@@ -218,15 +221,16 @@ class Modelica(Pygments):
         np.seterr(all="ignore", invalid="raise")
         for model in models:
             code = self.code(model)
-            declared = r'  (?:input )?Real (\w+)(?:\(unit="[^"\\\n]*"\))?;\n'
-            form = r"model LacunaModel\n((?:%s)*)equation\n((?:  der\(\w+\) = [^;\n]*;\n)*)end " \
-                r"LacunaModel;\n" % declared
+            declared = r'  (?:input |output )?Real (\w+)(?:\(unit="[^"\\\n]*"\))?;\n'
+            form = r"model LacunaModel\n((?:%s)*)equation\n((?:  der\(\w+\) = [^;\n]*;\n)*)" \
+                r"(?:  \w+ = [^;\n]*;\n)*end LacunaModel;\n" % declared
             found = re.fullmatch(form, code.lstrip("\n"))
             if not found:
                 raise SystemExit("%s is no model:\n%s" % (model.path, code))
             names = re.findall(declared, found.group(1))
             equations = re.findall(r"der\((\w+)\) = (.*);", found.group(3))
-            if [name for name, _ in equations] != names[model.inputs:]:
+            if [name for name, _ in equations] != \
+                    names[model.inputs:model.inputs + model.states]:
                 raise SystemExit("%s has other equations than states" % model.path)
             formulas = [self.formula(text) for _, text in equations]
             answers[model.number] = [self.rates(model, names, formulas, point)
@@ -279,10 +283,15 @@ class Spice:
 
     def code_faults(self, model, marker):
         code = [line for line in model.text.split("\n") if line and not line.startswith("* ")]
-        if len(code) != 2 * model.states + 2:
-            yield "%d lines, not %d" % (len(code), 2 * model.states + 2)
+        expected = 2 * model.states + self.outputs(model) + 2
+        if len(code) != expected:
+            yield "%d lines, not %d" % (len(code), expected)
         if any(marker in line for line in code):
             yield "code with a text"
+
+    def outputs(self, model):
+        """How many outputs there are: sources of voltages."""
+        return len(re.findall(r"^B\w+ \w+ 0 V=", model.text, re.M))
 
     def deck(self, models, place):
         """Sub-circuits whose nodes are held at a place, and what flows into them."""
@@ -294,7 +303,8 @@ class Spice:
             nodes = ["n%d_%d" % (k, i) for i in range(model.inputs + model.states)]
             for node, value in zip(nodes, point.u + point.x):
                 lines += ["V%s %s 0 %s" % (node, node, value), ".nodeset v(%s)=%s" % (node, value)]
-            lines.append("X%d %s model_%d" % (k, " ".join(nodes), k))
+            outputs = ["o%d_%d" % (k, i) for i in range(self.outputs(model))]
+            lines.append("X%d %s model_%d" % (k, " ".join(nodes + outputs), k))
             shown += ["print i(v%s)" % node for node in nodes[model.inputs:]]
         lines += [".control", "set numdgt=17", "op"] + shown + ["quit", ".endc", ".end"]
         return "\n".join(lines) + "\n"

@@ -50,6 +50,7 @@ def faults(command, text="", json=None):
 def text_faults(command, text):
     if text.lstrip().lower().startswith(("<!doctype", "<svg", "<?xml")):
         text = re.sub(r"<[^>]*>", " ", re.sub(r"(?s)<(script|style).*?</\1>", " ", text))
+    text = re.sub(r"\n +", " ", text)  # sentences are folded
     found = []
     if not NOT_FINITE.search(command) and NOT_FINITE.search(text):
         found.append("a number that is not finite")
@@ -64,7 +65,7 @@ def text_faults(command, text):
         found.append("fits to the noise, and does not hold")
     if has_all(text, "Wrong library", ": fits to the noise") and ": does not fit" not in text:
         found.append("wrong library, and every equation fits to the noise")
-    if has_all(text, "Wrong library", "  Holds: "):
+    if has_all(text, "Wrong library", " Holds: "):
         found.append("wrong library, and holds")
     if re.search(r"gap 0 -> 0(?![.\d])", text) or re.search(r"rmse 0[ ,].*fit 0 %", text):
         found.append("nothing compared, shown as perfect")

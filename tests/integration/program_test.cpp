@@ -59,7 +59,7 @@ TEST(Program, IdentifiesAStateThatNobodyMeasured) {
   const CommandResult result = run_program(
       "identify " + orbit + " --states x,z --hidden 1 --degree 2 --model-out " + model);
   EXPECT_EQ(result.status, 0) << result.err;
-  EXPECT_THAT(result.out, ::testing::HasSubstr("h1 was not measured"));
+  EXPECT_THAT(unfolded(result.out), ::testing::HasSubstr("h1 was not measured"));
   const OdeModel found = read_model(model);
   EXPECT_EQ(found.dimension(), 3);
   EXPECT_NEAR(found.coefficient(0, "x"), -10.0, 0.1);

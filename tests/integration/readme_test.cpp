@@ -66,7 +66,7 @@ TEST(Readme, ItsAnswerIsTheAnswer) {
       if (line.rfind(std::string("    ") + start, 0) == 0) {
         ++found;
         const std::string shown = line.substr(4, line.find(", ...") - 4);
-        EXPECT_THAT(result.out, ::testing::HasSubstr(shown.rfind("On records", 0) == 0
+        EXPECT_THAT(unfolded(result.out), ::testing::HasSubstr(shown.rfind("On records", 0) == 0
                                                          ? shown.substr(shown.find("the gap"))
                                                          : shown));
       }

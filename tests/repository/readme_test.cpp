@@ -54,6 +54,19 @@ TEST(Readme, ProgramsAreShortWithOneHeaderOfTheLibrary) {
   }
 }
 
+/// What the picture shows of the pendulum is what the text quotes, and a test of the program
+/// compares that with its answer.
+TEST(Readme, PictureHasTheNumbersOfTheText) {
+  const std::string text = text_of(kReadmeRoot / "README.md");
+  const std::string picture = text_of(kReadmeRoot / "docs/pictures/overview.svg");
+  std::smatch friction, gap;
+  ASSERT_TRUE(std::regex_search(text, friction, std::regex("-([0-9.]+) \\+- ([0-9.]+) rad")));
+  ASSERT_TRUE(std::regex_search(text, gap, std::regex("falls from ([0-9.]+ %) to ([0-9.]+ %)")));
+  EXPECT_NE(picture.find("dry friction, " + friction[1].str() + " &#177; " + friction[2].str()),
+            std::string::npos);
+  EXPECT_NE(picture.find(gap[1].str() + " &#8594; " + gap[2].str()), std::string::npos);
+}
+
 /// Rows "| question ([table](FILE)) | answer |": every number of the answer stands in the file.
 TEST(Readme, NumbersAreThoseOfTheResults) {
   int rows = 0;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <regex>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -26,6 +27,12 @@ inline CommandResult run_command(std::vector<std::string> arguments,
   const int status =
       run_cli(static_cast<int>(pointers.size()), pointers.data(), registry, {out, err});
   return {status, out.str(), err.str()};
+}
+
+/// A shown text without its indented lines: each is joined to the one before it, so that sentences
+/// can be found however they are folded.
+inline std::string unfolded(const std::string& text) {
+  return std::regex_replace(text, std::regex("\n +"), " ");
 }
 
 }  // namespace lacuna::testing

@@ -52,7 +52,7 @@ IdentifyAnswer answer(const Registry& registry, const IdentifyRequest& request,
                       const RunContext& context);
 
 /// What was read in a line, and the identification.
-std::string text_of(const IdentifyAnswer& answer, bool full);
+std::string text_of(const IdentifyAnswer& answer, const TextOptions& options);
 
 struct DiagnoseRequest {
   ModelSource model = {};
@@ -77,6 +77,9 @@ DiagnoseAnswer answer(const Registry& registry, const DiagnoseRequest& request,
                       const RunContext& context);
 
 std::string text_of(const DiagnoseAnswer& answer);
+
+/// The augmented model, and every composite model that was judged.
+std::string explanation_of(const DiagnoseAnswer& answer, const Digits& digits);
 
 struct FitRequest {
   ModelSource model = {};
@@ -166,8 +169,8 @@ struct CheckRequest {
 /// @throws what read_records() and look_at() throw.
 DataSummary answer(const Registry& registry, const CheckRequest& request);
 
-/// Every part, preset and test system by kind, for people. @param kind only this one; empty:
-/// all.
+/// For people: the parts of a kind, each with what it does; of an empty kind all names by kind,
+/// with how many there are.
 /// @throws ConfigError when there is no such kind.
 std::string list_of_parts(const Registry& registry, const std::string& kind);
 

@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <iostream>
 #include <map>
+#include <memory>
 #include <thread>
 
 #include "core/base/utf8.hpp"
@@ -18,6 +19,8 @@
 #include "lacuna/model/files/model_file.hpp"
 #include "memory_limit.hpp"
 #include "progress_line.hpp"
+#include "progress_log.hpp"
+#include "report/pages/folded_text.hpp"
 #include "terminal.hpp"
 
 namespace lacuna::cli {
@@ -81,9 +84,25 @@ bool same_file(const fs::path& a, const fs::path& b) {
   return !error && first == fs::weakly_canonical(fs::absolute(b, error), error) && !error;
 }
 
-bool shows_progress(const Session& session, const RunOptions& options) {
-  if (options.progress != "auto") return options.progress == "always";
-  return &session.streams.err == &std::cerr && isatty(STDERR_FILENO) != 0;
+/// How progress is shown: on one line of a terminal, in lines of a log, or not at all. A program
+/// that has the library write into a stream of its own gets no log.
+enum class Shown { Line, Log, Nothing };
+
+Shown progress_of(const Session& session, const RunOptions& options) {
+  if (options.progress == "always") return Shown::Line;
+  if (options.progress == "never" || &session.streams.err != &std::cerr) return Shown::Nothing;
+  return isatty(STDERR_FILENO) != 0 ? Shown::Line : Shown::Log;
+}
+
+std::function<void(const Progress&)> progress_function(std::ostream& err, Shown shown) {
+  if (shown == Shown::Nothing) return nullptr;
+  if (shown == Shown::Log)
+    return [log = std::make_shared<ProgressLog>(err)](const Progress& progress) {
+      log->note(progress);
+    };
+  return [&err, line = ProgressLine()](const Progress& progress) mutable {
+    err << "\r\x1b[K" << line.text(progress, Clock::now()) << std::flush;
+  };
 }
 
 }  // namespace
@@ -107,7 +126,8 @@ void declare_run_options(CLI::App& app, RunOptions& options) {
       "Memory that the run may take, e.g. 4G, in bytes [default: three quarters "
       "of the machine's]");
   app.add_option("--progress", options.progress,
-                 "Progress on standard error: always, never, auto (where it is a terminal)")
+                 "Progress on standard error: always, never, auto (on a terminal at once, else "
+                 "a line every ten seconds)")
       ->check(CLI::IsMember({"always", "never", "auto"}))
       ->capture_default_str();
 }
@@ -137,16 +157,15 @@ RunContext make_context(const Session& session, const RunOptions& options) {
   context.threads = options.threads;
   context.seed = options.seed;
   context.team = session.team;
-  if (!shows_progress(session, options)) return context;
-  std::ostream& err = session.streams.err;
-  context.progress = [&err, line = ProgressLine()](const Progress& progress) mutable {
-    err << "\r\x1b[K" << line.text(progress, std::chrono::steady_clock::now()) << std::flush;
-  };
+  if (context.leads())
+    context.progress =
+        progress_function(session.streams.err, progress_of(session, options));
   return context;
 }
 
 void finish_progress(const Session& session, const RunOptions& options) {
-  if (shows_progress(session, options)) session.streams.err << "\r\x1b[K" << std::flush;
+  if (progress_of(session, options) == Shown::Line)
+    session.streams.err << "\r\x1b[K" << std::flush;
 }
 
 void write_output(const Session& session, const std::string& path, const std::string& text) {
@@ -158,7 +177,7 @@ void write_output(const Session& session, const std::string& path, const std::st
 
 void show(const Session& session, const std::string& text) {
   const std::string shown = printable(text);
-  session.streams.out << (shows_colour(session.streams.out) ? coloured(shown) : shown);
+  session.streams.out << folded(shows_colour(session.streams.out) ? coloured(shown) : shown);
 }
 
 void check_outputs(const std::vector<std::string>& inputs,

@@ -46,6 +46,10 @@ Command declare_completion(CLI::App& root);
 Command declare_list(CLI::App& root);
 Command declare_describe(CLI::App& root);
 
+/// Puts the options of all commands into groups: `--help` shows the most used ones, `--help-all`
+/// all of them.
+void arrange_help(CLI::App& root);
+
 /// Options that every computing command has.
 struct RunOptions {
   std::uint64_t seed = 1;
@@ -74,7 +78,8 @@ void finish_progress(const Session& session, const RunOptions& options);
 /// Writes text to a file, whole or not at all, or to standard output for "-".
 void write_output(const Session& session, const std::string& path, const std::string& text);
 
-/// Shows text for people; nothing in it (a column's name) can act on the terminal.
+/// Shows text for people in lines of a screen (folded()); nothing in it (a column's name) can act
+/// on the terminal.
 void show(const Session& session, const std::string& text);
 
 /// A file that a command is going to write; without a path it is not asked for.

@@ -24,7 +24,8 @@ namespace {
 
 struct DiagnoseArguments : DiagnoseRequest {
   RunOptions run;
-  bool explain = false, full = false, each = false;
+  bool explain = false, each = false;
+  Digits digits = {};
   std::optional<std::string> json, model_out;
   ReportOptions report;
 };
@@ -166,13 +167,12 @@ int diagnose_command(const Session& session, const DiagnoseArguments& options) {
   finish_progress(session, options.run);
   if (options.model_out)
     write_output(session, *options.model_out,
-                 format_model_for(*options.model_out, diagnosis.augmented));
+                 model_text(*options.model_out, diagnosis.augmented, options.digits));
   if (options.json) write_output(session, *options.json, format_json(diagnosis));
   write_report(session, options.report, [&] { return diagnosis_page(diagnosis); });
   if (options.json != "-" && options.model_out != "-" && options.report.page != "-") {
     show(session, text_of(found));
-    if (options.full) show(session, "\nAugmented model\n" + to_text(diagnosis.augmented));
-    if (options.explain) show(session, "\n" + format_trail(diagnosis));
+    if (options.explain) show(session, "\n" + explanation_of(found, options.digits));
   }
   return 0;
 }
@@ -190,8 +190,9 @@ void declare_search_options(CLI::App& app, DiagnoseArguments& options) {
                  "(see `describe decision`)")
       ->type_name("PATH=VALUE");
   app.add_flag("--explain", options.explain,
-               "Show every composite model that was judged and the number that decided");
-  app.add_flag("--full", options.full, "Show the augmented model with all its digits too");
+               "Show the augmented model, and every composite model that was judged with the "
+               "number that decided");
+  declare_digits_option(app, options.digits);
   app.add_flag("--fill-gap", options.fill_gap,
                "Fit a spline or polynomials, as a stop-gap, to what the effects leave");
   app.add_option("--tolerance", options.tolerances,
@@ -216,6 +217,11 @@ DiagnoseAnswer answer(const Registry& registry, const DiagnoseRequest& request,
 
 std::string text_of(const DiagnoseAnswer& answer) {
   return answer.read + "\n\n" + format_text(answer.diagnosis);
+}
+
+std::string explanation_of(const DiagnoseAnswer& answer, const Digits& digits) {
+  return "Augmented model\n" + to_text(rounded(answer.diagnosis.augmented, digits).symbolic()) +
+         "\n" + format_trail(answer.diagnosis);
 }
 
 Command declare_diagnose(CLI::App& root) {

@@ -1,23 +1,137 @@
 // SPDX-License-Identifier: MIT
+#include <fcntl.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
 #include <memory>
+#include <sstream>
 
 #include "command.hpp"
 #include "core/base/text.hpp"
+#include "core/files/zip_archive.hpp"
+#include "lacuna/core/base/error.hpp"
 #include "lacuna/model/export/export_model.hpp"
+#include "model/export/fmu.hpp"
+#include "report_options.hpp"
 
 namespace lacuna::cli {
 namespace {
+
+namespace fs = std::filesystem;
 
 struct ExportArguments {
   std::string model;
   std::string format;
   std::string output = "-";
+  Digits digits;
 };
+
+/// A folder that is gone with the object.
+class WorkFolder {
+ public:
+  WorkFolder() {
+    std::string pattern = (fs::temp_directory_path() / "lacuna-XXXXXX").string();
+    if (mkdtemp(pattern.data()) == nullptr)
+      throw FileError(pattern, "the folder cannot be made",
+                      "set TMPDIR to one that may be written");
+    path_ = pattern;
+  }
+  WorkFolder(const WorkFolder&) = delete;
+  WorkFolder& operator=(const WorkFolder&) = delete;
+  ~WorkFolder() {
+    std::error_code none;
+    fs::remove_all(path_, none);
+  }
+
+  std::string file(const std::string& name) const { return (path_ / name).string(); }
+
+ private:
+  fs::path path_;
+};
+
+/// Runs a program with what it prints on standard error in a file. @return whether it ended well.
+bool run(std::vector<std::string> arguments, const std::string& errors) {
+  std::vector<char*> pointers;
+  for (std::string& argument : arguments) pointers.push_back(argument.data());
+  pointers.push_back(nullptr);
+  posix_spawn_file_actions_t actions;
+  posix_spawn_file_actions_init(&actions);
+  posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, errors.c_str(),
+                                   O_WRONLY | O_CREAT | O_TRUNC, 0600);
+  pid_t child = 0;
+  const int failure = posix_spawnp(&child, pointers.front(), &actions, nullptr, pointers.data(),
+                                   environ);
+  posix_spawn_file_actions_destroy(&actions);
+  if (failure != 0) return false;
+  int status = 0;
+  while (waitpid(child, &status, 0) < 0)
+    if (errno != EINTR) return false;
+  return WIFEXITED(status) && WEXITSTATUS(status) == 0;
+}
+
+std::string bytes_of_file(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::ostringstream bytes;
+  bytes << file.rdbuf();
+  return bytes.str();
+}
+
+/// The shared library of a C source, by the compiler that CC names, else `cc`.
+std::string compiled(const std::string& code) {
+  const WorkFolder folder;
+  const std::string source = folder.file("model.c"), library = folder.file("model.so");
+  const char* given = std::getenv("CC");
+  const std::string compiler = given != nullptr && *given != '\0' ? given : "cc";
+  std::ofstream(source) << code;
+  // Fused multiplications would round otherwise than the model does.
+  if (run({compiler, "-std=c99", "-O2", "-ffp-contract=off", "-fPIC", "-shared",
+           "-fvisibility=hidden", "-o", library, source, "-lm"},
+          folder.file("errors")))
+    return bytes_of_file(library);
+  const std::string said = bytes_of_file(folder.file("errors"));
+  throw ConfigError("export --format fmu",
+                    "the C compiler '" + compiler + "' made no library" +
+                        (said.empty() ? "" : ": " + said.substr(0, said.find('\n'))),
+                    "install one, or name another by the variable CC");
+}
+
+/// Folder and ending of a shared library in an FMU on this system (FMI 2.0, 2.3).
+#if defined(__APPLE__)
+constexpr const char* kPlatform = "darwin64";
+constexpr const char* kLibraryEnding = ".dylib";
+#else
+constexpr const char* kPlatform = "linux64";
+constexpr const char* kLibraryEnding = ".so";
+#endif
+
+std::string fmu_archive(const SystemModel& model) {
+  const FmuSources sources = fmu_sources(model);
+  const std::string name = kFmuName;
+  return zip_archive({{"modelDescription.xml", sources.description},
+                      {"sources/" + name + ".c", sources.code},
+                      {std::string("binaries/") + kPlatform + "/" + name + kLibraryEnding,
+                       compiled(sources.code)}});
+}
+
+/// LaTeX is read by people, all else by programs.
+std::string exported(const ExportArguments& options) {
+  const SystemModel model = load_system({options.model});
+  if (options.format == "latex")
+    return export_model(rounded(model, options.digits), options.format);
+  if (options.format != "fmu") return export_model(model, options.format);
+  if (options.output == "-")
+    throw ConfigError("--format fmu", "an FMU is an archive, no text", "give -o model.fmu");
+  return fmu_archive(model);
+}
 
 int export_command(const Session& session, const ExportArguments& options) {
   check_outputs({options.model}, {{"--output", options.output}});
-  write_output(session, options.output,
-               export_model(load_model({options.model}), options.format));
+  write_output(session, options.output, exported(options));
   return 0;
 }
 
@@ -25,12 +139,18 @@ int export_command(const Session& session, const ExportArguments& options) {
 
 Command declare_export(CLI::App& root) {
   auto options = std::make_shared<ExportArguments>();
-  CLI::App* app =
-      root.add_subcommand("export", "Write a model as source text of another program");
+  CLI::App* app = root.add_subcommand(
+      "export", "Write a model for another program: as its source text, or as an FMU");
   app->add_option("MODEL", options->model, "Model file, or the name of a test system")
       ->required();
-  app->add_option("--format", options->format, join(export_formats(), ", "))->required();
+  app->add_option("--format", options->format,
+                  join(export_formats(), ", ") +
+                      ", fmu (FMI 2.0 for co-simulation; takes a C compiler)")
+      ->required();
   app->add_option("-o,--output", options->output, "File to write; - is standard output");
+  declare_digits_option(*app, options->digits,
+                        "Digits of numbers in LaTeX: auto (two of the 95 % interval), full, or "
+                        "so many; programs get all [default: auto]");
   return {app, [options](const Session& session) { return export_command(session, *options); }};
 }
 

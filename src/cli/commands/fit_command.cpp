@@ -26,6 +26,7 @@ struct FitArguments : FitRequest {
   RunOptions run;
   std::optional<std::string> model_out, json;
   ReportOptions report;
+  Digits digits;
 };
 
 /// A sample that one channel lacks says something of the others, and a row without any value
@@ -74,7 +75,7 @@ int compare_models(const Session& session, const FitArguments& options,
   });
   if (options.model_out)
     write_output(session, *options.model_out,
-                 format_model_for(*options.model_out, best->fit.model));
+                 model_text(*options.model_out, best->fit.model, options.digits));
   if (options.json) write_output(session, *options.json, format_json(comparison));
   write_report(session, options.report, [&] { return fit_page(best->fit); });
   if (options.json != "-" && options.model_out != "-" && options.report.page != "-")
@@ -94,7 +95,7 @@ int fit_command(const Session& session, FitArguments options) {
   finish_progress(session, options.run);
   if (options.model_out)
     write_output(session, *options.model_out,
-                 format_model_for(*options.model_out, found.model));
+                 model_text(*options.model_out, found.model, options.digits));
   if (options.json) write_output(session, *options.json, format_json(found));
   write_report(session, options.report, [&] { return fit_page(found); });
   if (options.json != "-" && options.model_out != "-" && options.report.page != "-")
@@ -161,6 +162,9 @@ Command declare_fit(CLI::App& root) {
       ->type_name("FILE|-");
   app->add_option("--json", options->json, "Write the result as JSON; - for standard output")
       ->type_name("FILE|-");
+  declare_digits_option(*app, options->digits,
+                        "Digits of numbers in a .ode file of --model-out: auto (two of the 95 % "
+                        "interval), full, or so many; JSON has all [default: auto]");
   declare_report_options(*app, options->report);
   declare_run_options(*app, options->run);
   return {app, [options](const Session& session) { return fit_command(session, *options); }};

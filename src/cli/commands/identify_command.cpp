@@ -23,7 +23,7 @@ struct IdentifyArguments : IdentifyRequest {
   RunOptions run;
   std::optional<std::string> model_out, json;
   ReportOptions report;
-  bool full = false;
+  TextOptions text;
 };
 
 void declare_pipeline_options(CLI::App& app, IdentifyArguments& options) {
@@ -67,7 +67,10 @@ void declare_output_options(CLI::App& app, IdentifyArguments& options) {
                  "Write the whole result as JSON; - for standard output")
       ->type_name("FILE|-");
   declare_report_options(app, options.report);
-  app.add_flag("--full", options.full, "Show numbers with all their digits");
+  app.add_flag("--explain", options.text.explain,
+               "Show how the answer came about: fits, noise, removed terms, relations, all "
+               "warnings");
+  declare_digits_option(app, options.text.digits);
   app.add_option("--integrator", options.integrator, "Method of the verification")
       ->type_name("NAME")
       ->capture_default_str();
@@ -131,12 +134,12 @@ void write_results(const Session& session, const IdentifyArguments& options,
   const IdentificationReport& report = answer.report;
   if (options.model_out)
     write_output(session, *options.model_out,
-                 format_model_for(*options.model_out, report.result.model));
+                 model_text(*options.model_out, report.result.model, options.text.digits));
   if (options.json) write_output(session, *options.json, format_json(report));
   write_report(session, options.report,
                [&] { return identification_page(report, answer.records.excerpt()); });
   if (options.json != "-" && options.model_out != "-" && options.report.page != "-")
-    show(session, text_of(answer, options.full));
+    show(session, text_of(answer, options.text));
 }
 
 /// Reads the data in the way that the options ask for.
@@ -224,8 +227,8 @@ IdentifyAnswer answer(const Registry& registry, const IdentifyRequest& request,
   return {std::move(report), std::move(found.records)};
 }
 
-std::string text_of(const IdentifyAnswer& answer, bool full) {
-  return read_line(answer.records) + "\n\n" + format_text(answer.report, full);
+std::string text_of(const IdentifyAnswer& answer, const TextOptions& options) {
+  return read_line(answer.records) + "\n\n" + format_text(answer.report, options);
 }
 
 Command declare_identify(CLI::App& root) {

@@ -30,6 +30,55 @@ std::vector<Line> all_lines(const Registry& registry) {
   return lines;
 }
 
+using Kind = std::vector<Line>;
+
+/// Parts of one kind after those of another.
+std::vector<Kind> by_kind(const std::vector<Line>& lines) {
+  std::vector<Kind> kinds;
+  for (const Line& line : lines) {
+    if (kinds.empty() || kinds.back().front().kind != line.kind) kinds.emplace_back();
+    kinds.back().push_back(line);
+  }
+  return kinds;
+}
+
+/// Whether a kind is no choice but a set of options with a name.
+bool is_options(const Kind& kind) {
+  return kind.size() == 1 && kind.front().name == kind.front().kind;
+}
+
+std::string names_in(const Kind& kind) {
+  std::vector<std::string> names;
+  for (const Line& line : kind) names.push_back(line.name);
+  return join(names, ", ");
+}
+
+/// Kinds with the number of their parts, then sets of options.
+std::string overview(const std::vector<Line>& lines) {
+  std::string text, options;
+  for (const Kind& kind : by_kind(lines)) {
+    if (is_options(kind))
+      options += (options.empty() ? "" : ", ") + kind.front().name;
+    else
+      text += kind.front().kind + " (" + std::to_string(kind.size()) + "): " + names_in(kind) +
+              "\n";
+  }
+  return text + "\nSets of options: " + options +
+         "\n\n`lacuna list KIND` shows what each part of a kind does, `lacuna describe NAME` the "
+         "options of a part.\n";
+}
+
+std::string part_lines(const std::vector<Line>& lines, const std::string& kind) {
+  std::size_t width = 0;
+  for (const Line& line : lines)
+    if (line.kind == kind) width = std::max(width, line.name.size() + 2);
+  std::string text = kind + "\n";
+  for (const Line& line : lines)
+    if (line.kind == kind)
+      text += "  " + line.name + std::string(width - line.name.size(), ' ') + line.text + "\n";
+  return text;
+}
+
 void check_kind(const std::vector<Line>& lines, const std::string& kind) {
   std::vector<std::string> kinds;
   for (const Line& line : lines)
@@ -43,17 +92,9 @@ void check_kind(const std::vector<Line>& lines, const std::string& kind) {
 
 std::string list_of_parts(const Registry& registry, const std::string& kind) {
   const std::vector<Line> lines = all_lines(registry);
-  if (!kind.empty()) check_kind(lines, kind);
-  std::size_t width = 0;
-  for (const Line& line : lines) width = std::max(width, line.name.size() + 2);
-  std::string heading, text;
-  for (const Line& line : lines) {
-    if (!kind.empty() && line.kind != kind) continue;
-    if (line.kind != heading) text += line.kind + "\n";
-    heading = line.kind;
-    text += "  " + line.name + std::string(width - line.name.size(), ' ') + line.text + "\n";
-  }
-  return text;
+  if (kind.empty()) return overview(lines);
+  check_kind(lines, kind);
+  return part_lines(lines, kind);
 }
 
 Command declare_list(CLI::App& root) {

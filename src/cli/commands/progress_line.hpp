@@ -8,6 +8,9 @@
 
 namespace lacuna::cli {
 
+/// "fitting: 45 %"; without a percentage as long as it is 0: nothing is counted then.
+std::string how_far(const std::string& activity, double fraction);
+
 /// What is said of a run's progress: activity, share, and the time that is left of an activity
 /// that takes longer than a moment.
 class ProgressLine {

@@ -4,6 +4,8 @@
 #include <filesystem>
 
 #include "core/files/atomic_file.hpp"
+#include "lacuna/core/base/error.hpp"
+#include "lacuna/model/files/model_file.hpp"
 
 namespace lacuna::cli {
 namespace {
@@ -29,6 +31,28 @@ void declare_report_options(CLI::App& app, ReportOptions& options) {
       ->type_name("FILE.html|-");
   app.add_option("--plot", options.pictures, "Write the pictures of the page as .svg files")
       ->type_name("FOLDER");
+}
+
+void declare_digits_option(CLI::App& app, Digits& digits, const std::string& description) {
+  const auto wrong = [](const std::string& text) -> std::string {
+    try {
+      parse_digits(text);
+    } catch (const ConfigError& error) {
+      return error.what();
+    }
+    return "";
+  };
+  app.add_option_function<std::string>(
+         "--digits", [&digits](const std::string& text) { digits = parse_digits(text); },
+         description)
+      ->check(wrong, "")
+      ->type_name("auto|full|N");
+}
+
+std::string model_text(const std::string& path, const SystemModel& model,
+                       const Digits& digits) {
+  const bool is_read_by_people = fs::path(path).extension() == ".ode";
+  return format_model_for(path, is_read_by_people ? rounded(model, digits) : model);
 }
 
 std::vector<OutputFile> with_report(std::vector<OutputFile> others,

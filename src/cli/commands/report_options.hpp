@@ -7,6 +7,7 @@
 
 #include "command.hpp"
 #include "lacuna/core/base/function_ref.hpp"
+#include "lacuna/model/equations/rounding.hpp"
 #include "report/pages/page.hpp"
 
 namespace lacuna::cli {
@@ -19,6 +20,17 @@ struct ReportOptions {
 
 /// The options `--report` and `--plot`.
 void declare_report_options(CLI::App& app, ReportOptions& options);
+
+/// The option `--digits`. @param description of what has them.
+void declare_digits_option(
+    CLI::App& app, Digits& digits,
+    const std::string& description = "Digits of a model's numbers in text and .ode files: auto "
+                                     "(two of the 95 % interval), full, or so many; JSON has "
+                                     "all [default: auto]");
+
+/// A model as a file of that name holds it: text (.ode), which people read, with these digits,
+/// JSON with all.
+std::string model_text(const std::string& path, const SystemModel& model, const Digits& digits);
 
 /// The files that are asked for, with others, for check_outputs().
 std::vector<OutputFile> with_report(std::vector<OutputFile> others,

@@ -9,63 +9,65 @@ namespace {
 void describe_search(DecisionOptions& o, OptionVisitor& v) {
   v.field(
       {"worth_shaping", "",
-       "Candidates whose gain is a smaller fraction of the best one's get no search of shapes.",
+           "No shapes are sought for candidates whose gain is below this fraction of the "
+           "best one's.",
        0.0, 1.0},
       o.worth_shaping);
   v.field({"worth_fitting", "",
-           "Candidates whose gain is a smaller fraction of the best one's are not fitted.", 0.0,
+           "Candidates are not fitted where their gain is below this fraction of the best "
+           "one's.", 0.0,
            1.0},
           o.worth_fitting);
   v.field({"possible", "standard deviations",
-           "Candidates whose gain is less significant are not fitted.", 0.0},
+           "Candidates are not fitted where their gain is less significant than this.", 0.0},
           o.possible);
-  v.field({"rough_fits", "", "Candidates of a round that are fitted in few passes.", 1.0},
+  v.field({"rough_fits", "",
+           "In each round so many candidates are fitted in a few passes.", 1.0},
           o.rough_fits);
-  v.field({"exact_fits", "", "Of these the best, which are fitted exactly.", 1.0},
+  v.field({"exact_fits", "",
+           "So many of the best of these are then fitted exactly.", 1.0},
           o.exact_fits);
   v.field({"start_fits", "",
-           "Where states are hidden, candidates of each further path that are fitted whatever "
-           "they gain along it.",
+           "Where states are hidden, so many candidates are fitted on each further path, "
+           "whatever their gain along it.",
            0.0},
           o.start_fits);
   v.field({"noise_inflation", "",
-           "Identities are doubted where the noise of a channel comes out larger than its "
-           "samples show against their neighbours, by this factor.",
+           "An identity is doubted where it makes the noise of a channel larger, by this "
+           "factor, than the noise between neighbouring samples.",
            1.0},
           o.noise_inflation);
   v.field({"long_window", "mean periods",
-           "Length, and least number, of windows over which coefficients have to hold where "
-           "structure is left.",
+           "Where structure is left, coefficients have to hold over windows of this length, "
+           "and over at least so many windows.",
            1.0},
           o.long_window);
 }
 
 /// How channels and explanations are judged.
 void describe_judgement(DecisionOptions& o, OptionVisitor& v) {
-  v.field(
-      {"outlying", "standard deviations",
-       "Samples are outliers of the measurement where they are farther off; 6 leaves out one "
-       "of 5e8 samples of normal noise.",
-       1.0},
-      o.outlying);
+  v.field({"outlying", "standard deviations",
+           "A sample that is farther off is an outlier; at 6 one in 5e8 samples of normal noise.",
+           1.0},
+          o.outlying);
   v.field({"pile_up", "",
-           "A channel is clipped where its largest (or least) value has so many times as many "
-           "samples as any value next to it.",
+           "A channel is clipped where its largest (or smallest) value occurs so many times "
+           "as often as any value next to it.",
            1.0},
           o.pile_up);
-  v.field(
-      {"explained_gap", "noise floors",
-       "What leaves a larger gap on records that were not used, by more than chance, is not "
-       "called explained.",
-       1.0},
-      o.explained_gap);
+  v.field({"explained_gap", "noise floors",
+           "A model is called explained only where the gap on records that were not used is "
+           "at most this large, allowing for chance.",
+           1.0},
+          o.explained_gap);
   v.field({"open_gap", "noise floors",
-           "What leaves a larger gap there is not called explained, be it by chance or not.",
+           "A model with a larger gap there is not called explained, be it by chance or not.",
            1.0},
           o.open_gap);
   v.field({"diverging", "standard deviations",
-           "A model that runs freely over whole records that were not used and is farther off "
-           "(rms) than this many deviations of the states is none yet: their means are nearer.",
+           "A model that runs freely over records that were not used is no model yet where "
+           "its rms error is more than so many standard deviations of the states: their "
+           "means are nearer.",
            0.0},
           o.diverging);
   v.field({"input_noise", "",
@@ -74,13 +76,14 @@ void describe_judgement(DecisionOptions& o, OptionVisitor& v) {
            0.0, 1.0},
           o.input_noise);
   v.field({"cancelling", "",
-           "Terms whose sum is a smaller fraction of the largest of them nearly cancel: their "
-           "numbers say nothing each, and they do not pass as an explanation.",
+           "Terms nearly cancel where their sum is below this fraction of the largest of "
+           "them: their coefficients mean nothing one by one, and they do not pass as an "
+           "explanation.",
            0.0, 1.0},
           o.cancelling);
   v.field({"out_of_scale", "",
-           "A nominal coefficient that grows by more than this factor, or changes its sign, is "
-           "not the one that was given; what needs it does not pass as an explanation.",
+           "A nominal coefficient that grows by more than this factor, or changes its sign, "
+           "is no longer the one given; what needs that does not pass as an explanation.",
            1.0},
           o.out_of_scale);
   v.field({"acting", "",
@@ -138,34 +141,38 @@ void SmoothingOptions::describe(OptionVisitor& v) {
 
 void DecisionOptions::describe(OptionVisitor& v) {
   v.field({"significance", "standard deviations",
-           "What is less significant, after allowing for all that was tried, is chance.", 0.0},
+           "An effect counts only where it is at least this significant, after allowing for "
+           "all that was tried.", 0.0},
           significance);
   v.field({"effect_size", "",
-           "Least rms of an effect or of the residual, as a fraction of the rms of the state's "
-           "rate; what is less may come from the arithmetic that made or sampled the records.",
+           "An effect or a residual counts only from this size on: its rms as a fraction of "
+           "the rms of the state's rate. Below it may be the arithmetic that made or sampled "
+           "the records.",
            0.0, 1.0},
           effect_size);
   v.field({"undecided", "",
-           "Evidence up to which two explanations are not distinguished: 2 log B of Kass and "
-           "Raftery, JASA 90 (1995), from where on it is very strong.",
+           "Two explanations are not distinguished while the evidence between them is below "
+           "this: 2 log B of Kass and Raftery, JASA 90 (1995), who call 10 very strong.",
            0.0},
           undecided);
-  v.field({"max_effects", "", "Effects that are named at most.", 0.0, 20.0}, max_effects);
+  v.field({"max_effects", "",
+           "At most so many effects are named.", 0.0, 20.0}, max_effects);
   v.field({"negligible", "",
-           "A difference of this fraction (of a gap, of a disturbance, of what an input "
-           "explains) is none.",
+           "A change by less than this fraction counts as no change: of a gap, of a "
+           "disturbance, of what an input explains.",
            0.0, 1.0},
           negligible);
   v.field(
       {"minor", "",
-       "A part of this fraction is a minor one: a further effect takes away more of the "
-       "residual; an explanation that leaves less of the square of the gap shows the motion.",
+           "A part below this fraction is minor: a further effect has to remove more of the "
+           "residual, and an explanation that leaves less of the squared gap has found the "
+           "motion.",
        0.0, 1.0},
       minor);
   v.field({"major", "",
-           "More than this fraction is most: of the variance of the disturbances that an "
-           "explanation takes away, of the square of the gap on other records, of samples that "
-           "repeat.",
+           "A part above this fraction is most of the whole: of the variance of disturbances "
+           "that an explanation removes, of the squared gap on other records, of samples "
+           "that repeat.",
            0.0, 1.0},
           major);
   describe_search(*this, v);

@@ -9,6 +9,7 @@
 #include "diagnose/candidates/candidate_column.hpp"
 #include "free_run.hpp"
 #include "lacuna/data/records/marks.hpp"
+#include "model/equations/formula_channel.hpp"
 #include "trajectories/smoother/hidden_states.hpp"
 #include "trajectories/smoother/outlier_check.hpp"
 #include "trajectories/smoother/unknown_past.hpp"
@@ -124,6 +125,35 @@ Matrix said_by(const Trajectory& record, const NoiseModel& noise) {
   return values;
 }
 
+/// Paths on which the channels that are formulas have the values of these. In a window such a
+/// channel is linearised and begins at a value of its own, so that its curve would jump in the
+/// first sample and contradict those of the states.
+Matrix with_channels(const OdeModel& model, const LinearisedRecord& record, Matrix paths) {
+  CompiledModel formulas = model.compile();
+  if (!formulas.delays().empty()) return paths;
+  const Index m = model.dimension(), p = formulas.inputs();
+  const Matrix slots = record.slots(record.sample_rows(), Eigen::all);
+  Vector values(m);
+  for (Index i = 0; i < paths.rows(); ++i) {
+    const Vector state = paths.row(i), input = slots.row(i).segment(m, p);
+    if (!state.allFinite()) continue;
+    formulas.evaluate(record.time[i], state.data(), input.data(), nullptr, values.data());
+    for (Index k = 0; k < m; ++k)
+      if (is_formula_channel(model.states()[static_cast<std::size_t>(k)])) paths(i, k) = values[k];
+  }
+  return paths;
+}
+
+/// What the measurement adds to the states (n x m): nothing to those that nobody measured, whose
+/// columns are where a search began.
+Matrix added_by_measurement(const Trajectory& given, const Matrix& corrected,
+                            const NoiseModel& noise) {
+  Matrix added = given.states - corrected.leftCols(given.states.cols());
+  for (Index k = 0; k < added.cols(); ++k)
+    if (!noise.measurement[static_cast<std::size_t>(k)]) added.col(k).setZero();
+  return added;
+}
+
 /// On one record.
 Comparison compare_on(const OdeModel& nominal, const Assimilation& fit, std::size_t record,
                       const Trajectory& given, const Vector& scale, const WindowGrid& grid) {
@@ -137,13 +167,15 @@ Comparison compare_on(const OdeModel& nominal, const Assimilation& fit, std::siz
       linearise(nominal, given, Matrix(full.path.leftCols(m)), accuracy.head(m));
   const NoiseModel noise = narrowed(fit.noise, m);
   const Matrix& corrected = fit.measured[record];
-  const Matrix after = window_paths(full, {corrected, omitted}, fit.noise, grid);
+  const Matrix after =
+      with_channels(fit.model, full, window_paths(full, {corrected, omitted}, fit.noise, grid));
   return {window_squares(bare, {given.states, own}, noise, scale, grid),
           window_squares(full, {corrected, omitted}, fit.noise, scale, grid),
           // What the measurement adds stands in what the augmented model says of the samples.
           {given.source, given.time, said_by(given, noise),
-           window_paths(bare, {given.states, own}, noise, grid),
-           after.leftCols(m) + given.states - corrected.leftCols(m), grid.begin, grid.length}};
+           with_channels(nominal, bare, window_paths(bare, {given.states, own}, noise, grid)),
+           after.leftCols(m) + added_by_measurement(given, corrected, noise), grid.begin,
+           grid.length}};
 }
 
 /// Runs over whole records, of the nominal model and of the augmented one.

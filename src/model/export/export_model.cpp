@@ -8,11 +8,12 @@
 #include "model/equations/formula_channel.hpp"
 #include "model/export/latex.hpp"
 #include "model/export/sources.hpp"
+#include "model/expressions/unbound_delays.hpp"
 
 namespace lacuna {
 namespace {
 
-using Exporter = std::string (*)(const OdeModel&);
+using Exporter = std::string (*)(const SystemModel&);
 
 const std::map<std::string, Exporter>& exporters() {
   static const std::map<std::string, Exporter> all = {
@@ -31,6 +32,14 @@ void check_rates(const OdeModel& model) {
                        "export the model without it");
 }
 
+/// Numbers for all parameters where a delay depends on one, which no language takes.
+SystemModel with_bound_delays(const SystemModel& model) {
+  for (const Equation& equation : model.symbolic().equations())
+    for (const WeightedTerm& summand : equation)
+      if (!names_in_delay_times(summand.term.expression()).empty()) return model.model();
+  return model;
+}
+
 }  // namespace
 
 std::vector<std::string> export_formats() {
@@ -39,13 +48,13 @@ std::vector<std::string> export_formats() {
   return names;
 }
 
-std::string export_model(const OdeModel& model, const std::string& format) {
+std::string export_model(const SystemModel& model, const std::string& format) {
   const auto found = exporters().find(format);
   if (found == exporters().end())
     throw ConfigError("export", "there is no format '" + format + "'",
                       suggestion(format, export_formats()));
-  check_rates(model);
-  return found->second(model);
+  check_rates(model.symbolic());
+  return found->second(with_bound_delays(model));
 }
 
 }  // namespace lacuna

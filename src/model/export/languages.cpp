@@ -24,7 +24,7 @@ const NameRules& c_names() {
           "throw true try typedef typeid typename typeof typeof_unqual union unsigned using "
           "virtual void volatile wchar_t while xor xor_eq "
           "final import module override std "
-          "fabs pow t state_ input_ rate_ "
+          "fabs pow t state_ input_ rate_ output_ jacobian_ "
           "NULL NAN INFINITY EOF MAXFLOAT MATH_ERRNO MATH_ERREXCEPT math_errhandling errno "
           "assert offsetof DOMAIN SING OVERFLOW UNDERFLOW TLOSS PLOSS EDOM ERANGE "
           "BIG_ENDIAN LITTLE_ENDIAN PDP_ENDIAN BYTE_ORDER EXIT_FAILURE EXIT_SUCCESS "
@@ -40,7 +40,7 @@ const NameRules& python_names() {
           "False None True and as assert async await break case class continue def del elif "
           "else except finally for from global if import in is lambda match nonlocal not or "
           "pass raise return try type while with yield "
-          "np numpy rate t state inputs "
+          "np numpy rate output t state inputs parameters PARAMETERS INITIAL "
           "abs aiter all anext any ascii bin bool breakpoint bytearray bytes callable chr "
           "classmethod compile complex copyright credits delattr dict dir divmod enumerate "
           "eval "
@@ -62,7 +62,8 @@ const NameRules& matlab_names() {
           "enumeration events for function get global if import methods otherwise parfor "
           "persistent properties return set spmd static switch try until unwind_protect "
           "unwind_protect_cleanup while "
-          "t state input rate double imag isreal nan NaN NA inf Inf eps e i j I J pi ans "
+          "t state input rate output initial parameter double imag isreal nan NaN NA inf Inf "
+          "eps e i j I J pi ans "
           "nargin nargout varargin varargout isargout argv realmax realmin"),
       .prefixes = {kOwn}};
   return rules;

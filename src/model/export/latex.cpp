@@ -161,7 +161,8 @@ std::vector<std::string> latex_lines(const Equation& equation, const LatexPrinte
 
 }  // namespace
 
-std::string export_latex(const OdeModel& model) {
+std::string export_latex(const SystemModel& system) {
+  const OdeModel& model = system.symbolic();
   const ForeignNames names = foreign_names(model, latex_names());
   const LatexPrinter printer(names);
   std::string text = renamed_lines("% ", model, names) + "\\begin{align*}\n";
@@ -177,6 +178,17 @@ std::string export_latex(const OdeModel& model) {
     add("\\dot{" + printer.name(model.states()[k].name) + "} &= " + lines.front());
     for (std::size_t i = 1; i < lines.size(); ++i) add("&\\quad{}" + lines[i]);
   }
+  const auto define = [&](const std::string& name, const std::string& value) {
+    check_nesting(value);
+    add(printer.name(name) + " &= " + value);
+  };
+  for (const Output& output : model.outputs())
+    define(output.name, printer.print(output.formula).text);
+  for (const Parameter& parameter : system.parameters())
+    define(parameter.name, number_text(parameter.value).text);
+  for (std::size_t k = 0; k < model.states().size(); ++k)
+    if (const auto& initial = model.initial()[k])
+      add(printer.name(model.states()[k].name) + "(0) &= " + number_text(initial->value).text);
   return text + "\n\\end{align*}\n";
 }
 

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+#include <optional>
+
+#include "core/base/text.hpp"
 #include "model/export/dialect.hpp"
 #include "model/export/heading.hpp"
 #include "model/export/languages.hpp"
@@ -23,25 +26,49 @@ Dialect modelica_dialect(const OdeModel& model) {
   return modelica;
 }
 
-/// "  Real x(unit="m");"
-std::string declaration(const Quantity& quantity, const std::string& kind,
-                        const Dialect& dialect) {
-  const std::string unit =
-      quantity.unit.empty() ? "" : "(unit=\"" + quoted_text(quantity.unit) + "\")";
-  return "  " + kind + "Real " + code_name(quantity.name, dialect) + unit + ";\n";
+/// "  Real x(unit="m", start=1.0, fixed=true);"
+std::string declaration(const std::string& name, const std::string& unit, const std::string& kind,
+                        const std::optional<InitialValue>& start, const Dialect& dialect) {
+  std::vector<std::string> attributes;
+  if (!unit.empty()) attributes.push_back("unit=\"" + quoted_text(unit) + "\"");
+  if (start)
+    attributes.push_back("start=" + number_with_point(start->value) + ", fixed=true");
+  return "  " + kind + "Real " + code_name(name, dialect) +
+         (attributes.empty() ? "" : "(" + join(attributes, ", ") + ")");
+}
+
+std::string declarations(const SystemModel& system, const Dialect& dialect) {
+  const OdeModel& model = system.symbolic();
+  std::string text;
+  for (const Parameter& parameter : system.parameters())
+    text += declaration(parameter.name, parameter.unit, "parameter ", {}, dialect) + " = " +
+            number_with_point(parameter.value) + ";\n";
+  for (const Quantity& input : system.inputs())
+    text += declaration(input.name, input.unit, "input ", {}, dialect) + ";\n";
+  for (std::size_t k = 0; k < model.states().size(); ++k)
+    text += declaration(model.states()[k].name, model.states()[k].unit, "", model.initial()[k],
+                        dialect) +
+            ";\n";
+  for (const Output& output : model.outputs())
+    if (!state_of(model, output))
+      text += declaration(output.name, output.unit, "output ", {}, dialect) + ";\n";
+  return text;
 }
 
 }  // namespace
 
-std::string export_modelica(const OdeModel& model) {
+std::string export_modelica(const SystemModel& system) {
+  const OdeModel& model = system.symbolic();
   const Dialect modelica = modelica_dialect(model);
-  std::string text = heading("// ", model, modelica.names) + "model LacunaModel\n";
-  for (const Quantity& input : model.inputs()) text += declaration(input, "input ", modelica);
-  for (const Quantity& state : model.states()) text += declaration(state, "", modelica);
-  text += "equation\n";
+  std::string text = heading("// ", system, modelica.names) + "model LacunaModel\n" +
+                     declarations(system, modelica) + "equation\n";
   for (std::size_t k = 0; k < model.states().size(); ++k)
     text += "  der(" + code_name(model.states()[k].name, modelica) +
             ") = " + code(model.equations()[k], modelica) + ";\n";
+  for (const Output& output : model.outputs())
+    if (!state_of(model, output))
+      text += "  " + code_name(output.name, modelica) + " = " + code(output.formula, modelica) +
+              ";\n";
   return text + "end LacunaModel;\n";
 }
 

@@ -34,28 +34,63 @@ Dialect python_dialect(const OdeModel& model) {
 }
 
 /// "    x, y, = np.asarray(state, dtype=float)"
-std::string unpacked(const std::vector<Quantity>& quantities, const std::string& from,
+std::string unpacked(const std::vector<std::string>& quantities, const std::string& from,
                      const Dialect& dialect) {
   std::string names;
-  for (const Quantity& one : quantities) names += code_name(one.name, dialect) + ", ";
+  for (const std::string& one : quantities) names += code_name(one, dialect) + ", ";
   if (names.empty()) return "";
   names.pop_back();
   return "    " + names + " = np.asarray(" + from + ", dtype=float)\n";
 }
 
+/// A function that gives an array of these formulas.
+std::string function(const std::string& name, const SystemModel& system, const Dialect& dialect,
+                     const std::vector<std::string>& formulas) {
+  std::vector<std::string> parameters;
+  for (const Parameter& parameter : system.parameters()) parameters.push_back(parameter.name);
+  std::string text = "\n\ndef " + name + "(t, state, inputs=()" +
+                     (parameters.empty() ? "" : ", parameters=PARAMETERS") +
+                     "):\n    t = np.float64(t)\n" +
+                     unpacked(names_of(system.symbolic().states()), "state", dialect) +
+                     unpacked(names_of(system.inputs()), "inputs", dialect) +
+                     unpacked(parameters, "parameters", dialect) + "    return np.array([\n";
+  for (const std::string& formula : formulas) text += "        " + formula + ",\n";
+  return text + "    ])\n";
+}
+
+/// "NAME = (1.0, 2.0,)"
+std::string constants(const std::string& name, const std::vector<double>& values) {
+  std::string text = name + " = (";
+  for (const double value : values) text += number_with_point(value) + ", ";
+  text.pop_back();
+  return text + ")\n";
+}
+
+std::string head_constants(const SystemModel& system) {
+  std::string text;
+  std::vector<double> values, start;
+  for (const Parameter& parameter : system.parameters()) values.push_back(parameter.value);
+  for (const auto& initial : system.symbolic().initial())
+    start.push_back(initial ? initial->value : 0.0);
+  if (!values.empty()) text += constants("PARAMETERS", values);
+  if (knows_start(system.symbolic()))
+    text += "# What is not known of the start is 0.\n" + constants("INITIAL", start);
+  return text.empty() ? "" : "\n" + text;
+}
+
 }  // namespace
 
-std::string export_python(const OdeModel& model) {
+std::string export_python(const SystemModel& system) {
+  const OdeModel& model = system.symbolic();
   const Dialect python = python_dialect(model);
+  std::vector<std::string> rates, outputs;
+  for (const Equation& equation : model.equations()) rates.push_back(code(equation, python));
+  for (const Output& output : model.outputs()) outputs.push_back(code(output.formula, python));
   // The first line, or a text in the second could name an encoding (PEP 263).
-  std::string text = "# -*- coding: ascii -*-\n" + heading("# ", model, python.names) +
-                     "import numpy as np\n\n\ndef rate(t, state, inputs=()):\n"
-                     "    t = np.float64(t)\n" +
-                     unpacked(model.states(), "state", python) +
-                     unpacked(model.inputs(), "inputs", python) + "    return np.array([\n";
-  for (const Equation& equation : model.equations())
-    text += "        " + code(equation, python) + ",\n";
-  return text + "    ])\n";
+  std::string text = "# -*- coding: ascii -*-\n" + heading("# ", system, python.names) +
+                     "import numpy as np\n" + head_constants(system) +
+                     function("rate", system, python, rates);
+  return outputs.empty() ? text : text + function("output", system, python, outputs);
 }
 
 }  // namespace lacuna

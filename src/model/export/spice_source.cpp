@@ -68,20 +68,38 @@ Dialect spice_dialect(const OdeModel& model) {
   return spice;
 }
 
+/// Parameters are numbers here.
+std::string parameter_lines(const SystemModel& system) {
+  std::vector<std::string> texts;
+  for (const Parameter& parameter : system.parameters())
+    texts.push_back(quoted_text(parameter.name) + " = " + format_number(parameter.value));
+  return texts.empty() ? "" : comment_lines("* ", "Numbers for: " + join(texts, ", ") + ".");
+}
+
 }  // namespace
 
-std::string export_spice(const OdeModel& model) {
+std::string export_spice(const SystemModel& system) {
+  // A number in an expression has eleven digits, a parameter too: parameters become numbers.
+  const OdeModel model = system.model();
   const Dialect spice = spice_dialect(model);
   std::string ports, text;
   for (const Quantity& input : model.inputs()) ports += " " + code_name(input.name, spice);
   for (std::size_t k = 0; k < model.states().size(); ++k) {
     const std::string name = code_name(model.states()[k].name, spice);
     ports += " " + name;
-    text += "C" + name + " " + name + " 0 1\nB" + name + " 0 " + name +
+    const std::string start =
+        model.initial()[k] ? " ic=" + format_number(model.initial()[k]->value) : "";
+    text += "C" + name + " " + name + " 0 1" + start + "\nB" + name + " 0 " + name +
             " I=" + code(model.equations()[k], spice) + "\n";
   }
-  return heading("* ", model, spice.names) +
-         comment_lines("* ", "States are voltages of 1 F; ports are inputs, then states.") +
+  for (const Output& output : model.outputs()) {
+    if (state_of(model, output)) continue;
+    const std::string name = code_name(output.name, spice);
+    ports += " " + name;
+    text += "B" + name + " " + name + " 0 V=" + code(output.formula, spice) + "\n";
+  }
+  return heading("* ", model, spice.names) + parameter_lines(system) +
+         comment_lines("* ", "States are voltages of 1 F; ports are inputs, states, outputs.") +
          ".subckt lacuna_model" + ports + "\n" + text + ".ends\n";
 }
 

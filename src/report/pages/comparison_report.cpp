@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "folded_text.hpp"
 #include "readable.hpp"
-#include "text_table.hpp"
 
 namespace lacuna {
 namespace {
@@ -42,7 +42,7 @@ std::string format_text(const ComparisonReport& report) {
                                              : "Undecided: no measure could be judged.";
   return verdict + "\n\n" + text_table(rows) +
          "\nNumbers are means of five blocks +- 95 %. Spectrum and density are Hellinger's "
-         "distances:\nblocks of one record to one another, then blocks of different records.\n";
+         "distances: blocks of one record to one another, then blocks of different records.\n";
 }
 
 std::string format_json(const ComparisonReport& report) {

@@ -4,7 +4,7 @@
 #include "core/base/text.hpp"
 #include "readable.hpp"
 #include "report/pages/data_summary.hpp"
-#include "text_table.hpp"
+#include "folded_text.hpp"
 
 namespace lacuna {
 namespace {

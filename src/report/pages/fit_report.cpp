@@ -8,6 +8,7 @@
 
 #include "core/base/text.hpp"
 #include "lacuna/core/statistics/interval.hpp"
+#include "lacuna/model/equations/rounding.hpp"
 #include "lacuna/model/files/model_file.hpp"
 #include "report/json/adequacy_json.hpp"
 
@@ -153,12 +154,21 @@ std::string interval_text(const FittedParameter& number) {
   if (!number.per_record.empty()) return "own in each record";
   if (!number.ci95) return "not determined by itself";
   const auto [low, high] = *number.ci95;
-  const std::string ends = "[" + format_number(low, 5) + ", " + format_number(high, 5) + "]";
-  constexpr double kEven = 0.01;  // an interval ends where the range of its number does
   const double half = (high - low) / 2.0;
+  const std::string ends = "[" + format_number(low, digits_of(low, half)) + ", " +
+                           format_number(high, digits_of(high, half)) + "]";
+  constexpr double kEven = 0.01;  // an interval ends where the range of its number does
   return std::abs(low + half - number.value) <= kEven * half
              ? "+- " + format_number(half, 2) + "  " + ends
              : ends;
+}
+
+/// The number with two digits of its interval.
+std::string value_text(const FittedParameter& number) {
+  constexpr int kWithoutInterval = 6;
+  if (!number.ci95) return format_number(number.value, kWithoutInterval);
+  const double half = ((*number.ci95)[1] - (*number.ci95)[0]) / 2.0;
+  return format_number(number.value, digits_of(number.value, half));
 }
 
 void write_numbers(const Fit& fit, std::ostringstream& out) {
@@ -166,7 +176,7 @@ void write_numbers(const Fit& fit, std::ostringstream& out) {
   out << "Numbers (95 % intervals)\n";
   for (const FittedParameter& number : fit.numbers)
     out << "  " << padded(number.name, width) << "  "
-        << padded(format_number(number.value, 6), 11) << "  " << interval_text(number)
+        << padded(value_text(number), 11) << "  " << interval_text(number)
         << (number.unit.empty() ? "" : "  " + number.unit) << "\n";
   for (const FitCorrelation& pair : fit.correlations)
     out << "  " << pair.first << " and " << pair.second

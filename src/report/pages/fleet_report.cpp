@@ -10,7 +10,7 @@
 #include "diagnosis_sentences.hpp"
 #include "lacuna/core/base/error.hpp"
 #include "lacuna/report/pages/diagnosis_report.hpp"
-#include "text_table.hpp"
+#include "folded_text.hpp"
 
 namespace lacuna {
 namespace {

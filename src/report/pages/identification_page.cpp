@@ -33,9 +33,53 @@ std::vector<std::string> equations_where(const IdentificationResult& result, Hol
   return names;
 }
 
-/// The headline of a validated model.
-void report_verdict(const Validation& validation, Page& page) {
-  page.headline = validation.sentence;
+struct ModelSize {
+  std::size_t terms = 0, equations = 0;
+};
+
+/// Identities are known and do not count.
+ModelSize size_of(const IdentificationResult& result) {
+  ModelSize size;
+  for (std::size_t k = 0; k < result.fit.size(); ++k) {
+    if (!is_fitted(result.fit[k])) continue;
+    size.terms += result.model.equations()[k].size();
+    ++size.equations;
+  }
+  return size;
+}
+
+/// "33 terms in 3 equations describe the record to its noise."
+std::string sized(const ModelSize& size, const std::string& singular, const std::string& plural) {
+  const auto counted = [](std::size_t count, const std::string& word) {
+    return std::to_string(count) + " " + word + (count == 1 ? "" : "s");
+  };
+  return counted(size.terms, "term") + " in " + counted(size.equations, "equation") + " " +
+         (size.terms == 1 ? singular : plural);
+}
+
+std::string worth_of(const ModelSize& size, ValidationVerdict verdict) {
+  switch (verdict) {
+    case ValidationVerdict::FitsToNoise:
+      return sized(size, "describes the record to its noise.",
+                   "describe the record to its noise.");
+    case ValidationVerdict::Approximation:
+      return sized(size, "describes the record roughly, not to its noise.",
+                   "describe the record roughly, not to its noise.");
+    case ValidationVerdict::WrongLibrary:
+      return sized(size, "does not describe the record: it needs other terms.",
+                   "do not describe the record: it needs other terms.");
+    case ValidationVerdict::Undecided:
+      break;
+  }
+  return sized(size, "was found; the record does not show whether it holds.",
+               "were found; the record does not show whether they hold.");
+}
+
+/// The headline of a validated model; the sentence with numbers is the first finding.
+void report_verdict(const IdentificationResult& result, Page& page) {
+  const Validation& validation = *result.validation;
+  page.headline = worth_of(size_of(result), validation.verdict);
+  page.findings = {validation.sentence};
   switch (validation.verdict) {
     case ValidationVerdict::FitsToNoise:
       page.tone = Tone::Good;
@@ -59,7 +103,7 @@ void report_headline(const IdentificationReport& report, Page& page) {
                     (result.model.is_map() ? "next value." : "derivative.");
     page.tone = Tone::Bad;
   } else if (result.validation) {
-    report_verdict(*result.validation, page);
+    report_verdict(result, page);
   } else if (!bad.empty()) {
     page.headline = "Equations were found, but not all fit to the noise: " + join(bad, ", ") +
                     (bad.size() == 1 ? " does not." : " do not.");
@@ -67,7 +111,7 @@ void report_headline(const IdentificationReport& report, Page& page) {
   } else if (!unknown.empty() || result.adequacy.fits == Adequate::Undetermined) {
     page.headline = "Equations were found; how large the noise is cannot be estimated.";
   } else {
-    page.headline = "Equations were found that explain the record to its noise.";
+    page.headline = worth_of(size_of(result), ValidationVerdict::FitsToNoise);
   }
   if (report.sync && !report.sync->result.settled) page.tone = Tone::Doubtful;
 }
@@ -82,7 +126,8 @@ std::vector<std::string> findings_of(const IdentificationResult& result) {
     if (fit.noise_floor) text += ", noise alone gives " + format_number(*fit.noise_floor, 3);
     if (fit.misfit)
       text += std::isfinite(*fit.misfit)
-                  ? "; trajectories are off by " + format_number(*fit.misfit, 3) + " times the noise"
+                  ? "; trajectories are off by " + format_number(*fit.misfit, 3) +
+                        " times the noise"
                   : "; trajectories leave the range of numbers";
     sentences.push_back(text + ".");
   }
@@ -200,7 +245,8 @@ Page identification_page(const IdentificationReport& report, const Dataset& data
       "Identification of " +
       (data.trajectories.empty() ? "a record" : short_name(file_of(data.trajectories.front())));
   report_headline(report, page);
-  page.findings = findings_of(result);
+  const std::vector<std::string> findings = findings_of(result);
+  page.findings.insert(page.findings.end(), findings.begin(), findings.end());
   page.facts = facts_of(report, data, runs);
   page.equations = equations_mathml(result.model);
   if (!runs.empty()) add_pictures(view, page);

@@ -1,172 +1,115 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
-#include <array>
-#include <cmath>
-#include <sstream>
-#include <tuple>
+#include <optional>
 
-#include "core/base/text.hpp"
-#include "core/statistics/determined.hpp"
-#include "lacuna/report/pages/identification_report.hpp"
+#include "folded_text.hpp"
+#include "identification_details.hpp"
 #include "readable.hpp"
-#include "relation_text.hpp"
 
 namespace lacuna {
 namespace {
 
-std::string indented(const std::string& text) {
-  std::istringstream lines(text);
-  std::string line, result;
-  while (std::getline(lines, line)) result += "  " + line + "\n";
-  return result;
+/// Warnings on the first screen; the rest stand behind --explain.
+constexpr std::size_t kShownWarnings = 2;
+
+/// Lines of the first screen that equations may take: what is read, verdict, tests and two
+/// warnings take the others. With half as many the 33 terms of the shipped record would lose
+/// their intervals, with twice as many the verdict would leave the screen.
+constexpr std::size_t kEquationLines = 20;
+
+std::size_t lines_in(const std::string& text) {
+  return static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
 }
 
-std::string error_text(const WeightedTerm& summand) {
-  if (!summand.standard_error) return "-";
-  const bool known = is_determined(summand.coefficient, *summand.standard_error);
-  return format_number(*summand.standard_error, 2) + (known ? "" : " (not determined)");
-}
-
-std::string coefficient_table(const OdeModel& model, bool full) {
-  std::vector<std::array<std::string, 4>> rows{
-      {"equation", "term", "coefficient", "standard error"}};
-  for (std::size_t k = 0; k < model.equations().size(); ++k)
-    for (const WeightedTerm& summand : model.equations()[k])
-      rows.push_back({left_hand_side(model.states()[k].name, model.evolution()),
-                      summand.term.name(), coefficient_text(summand, full),
-                      error_text(summand)});
-  std::array<std::size_t, 4> widths{};
-  for (const auto& row : rows)
-    for (std::size_t c = 0; c < row.size(); ++c) widths[c] = std::max(widths[c], row[c].size());
-  std::string table;
-  for (const auto& row : rows) {
-    // Signs stand in a column of their own.
-    const bool is_signed = row[2].front() == '-' || &row == &rows.front();
-    table += "  " + padded(row[0], widths[0] + 2) + padded(row[1], widths[1] + 2) +
-             padded((is_signed ? "" : " ") + row[2], widths[2] + 3) + row[3] + "\n";
-  }
-  return table;
-}
-
-std::string fit_line(const EquationFit& fit, Evolution evolution) {
-  std::string line = "  " + left_hand_side(fit.equation, evolution) + ": ";
-  if (fit.identity) return line + "known without a fit\n";
-  line += "residual rms " + format_number(fit.residual_rms, 3) + " of " +
-          format_number(fit.target_rms, 3) + ", " + std::to_string(fit.rows) + " rows";
-  if (fit.noise_floor)
-    line += ", measurement noise alone gives " + format_number(*fit.noise_floor, 2);
-  if (fit.misfit)
-    line += std::isfinite(*fit.misfit)
-                ? ", trajectories off by " + format_number(*fit.misfit, 3) + " x noise"
-                : ", trajectories leave the range of numbers";
-  if (fit.fits_to_noise) line += *fit.fits_to_noise ? ": fits to the noise" : ": does not fit";
-  return line + "\n";
-}
-
-std::string noise_text(const IdentificationResult& result) {
-  std::vector<std::string> parts;
-  for (Index k = 0; k < result.noise.size(); ++k) {
-    const Quantity& state = result.model.states()[static_cast<std::size_t>(k)];
-    parts.push_back(state.name + " " + format_number(result.noise[k], 2) +
-                    (state.unit.empty() ? "" : " " + state.unit));
-  }
-  return "  " + join(parts, ", ") + "\n";
-}
-
-std::string validation_text(const Validation& validation) {
-  const Index windows = validation.windows.windows;
-  std::string text = "  " + validation.sentence + "\n  (on " +
-                     std::to_string(validation.samples) + " samples " +
-                     (validation.given      ? "of other records"
-                      : validation.refitted ? "that were held out of the coefficients' fit"
-                                            : "that were fitted") +
-                     (windows > 0 ? ", in " + std::to_string(windows) + " windows" : "") +
-                     ")\n";
-  for (const std::string& advice : validation.advice) text += "  " + advice + "\n";
-  return text;
-}
-
-/// "  dx/dt: x*y would be the next: chi squared - 3.2 (worth it from 17)".
-std::string next_terms(const IdentificationResult& result) {
+/// All equations, folded.
+std::string equations_in(const OdeModel& model, const Digits& digits, Intervals intervals) {
   std::string text;
-  for (std::size_t i = 0; i < result.path.size(); ++i) {
-    const PathStep& step = result.path[i];
-    const bool first =
-        i == 0 || result.path[i - 1].in_model || result.path[i - 1].equation != step.equation;
-    if (step.in_model || !first) continue;
-    text += "  d" + result.model.states()[static_cast<std::size_t>(step.equation)].name +
-            "/dt: " + step.term + " would be the next: chi squared - " +
-            format_number(step.gain, 3) + " (worth it from " + format_number(step.penalty, 3) +
-            ")\n";
-  }
+  for (Index k = 0; k < model.dimension(); ++k)
+    text += "  " + equation_text(model, k, digits, intervals) + "\n";
+  return folded(text);
+}
+
+/// What is shown of each equation of a model that is too long for a screen.
+std::string sizes_of_equations(const OdeModel& model) {
+  std::string text;
+  for (std::size_t k = 0; k < std::min(model.equations().size(), kEquationLines - 1); ++k)
+    text += "  " + left_hand_side(model.states()[k].name, model.evolution()) + ": " +
+            std::to_string(model.equations()[k].size()) + " terms\n";
+  if (model.equations().size() >= kEquationLines)
+    text += "  and " + std::to_string(model.equations().size() - kEquationLines + 1) +
+            " more equations\n";
   return text;
 }
 
-/// "  2. x^2 0.0703 (limit 0.0849)".
-std::string removal_line(const TrailEntry& entry) {
-  return "      " + std::to_string(entry.step) + ". " + padded(entry.term, 16) + " " +
-         padded(format_number(entry.value, 3), 10) + " limit " +
-         format_number(entry.threshold, 3) + "\n";
+/// With intervals where they fit on the screen, else without, else how many terms there are.
+std::string equations_section(const OdeModel& model, const TextOptions& options) {
+  const std::string whole = equations_in(model, options.digits, Intervals::Shown);
+  if (options.explain || lines_in(whole) <= kEquationLines)
+    return (whole.find("+-") == std::string::npos ? "Equations\n" : "Equations (+- is 95 %)\n") +
+           whole;
+  const std::string plain = equations_in(model, options.digits, Intervals::Hidden);
+  if (lines_in(plain) <= kEquationLines) return "Equations (intervals: --explain)\n" + plain;
+  return "Equations (in full: --explain, --model-out FILE)\n" + sizes_of_equations(model);
 }
 
-/// Removed terms of one equation, stage by stage, in the order of removal.
-std::string removals_of(std::vector<TrailEntry> removed) {
-  std::stable_sort(removed.begin(), removed.end(), [](const auto& a, const auto& b) {
-    return std::tie(a.stage, a.step) < std::tie(b.stage, b.step);
-  });
-  std::string text, heading;
-  for (const TrailEntry& entry : removed) {
-    const std::string stage = "    removed by " + entry.stage + ", " + entry.quantity + ":\n";
-    if (stage != heading) text += stage;
-    heading = stage;
-    text += removal_line(entry);
-  }
+std::string tested_on(const Validation& validation) {
+  const Index windows = validation.windows.windows;
+  return "Tested on " + std::to_string(validation.samples) + " samples " +
+         (validation.given      ? "of other records"
+          : validation.refitted ? "held out of the fit"
+                                : "that were fitted") +
+         (windows > 0 ? ", in " + std::to_string(windows) + " windows" : "");
+}
+
+std::string sync_phrase(const SyncReport& report) {
+  if (!report.verdict.sentence.empty()) return report.verdict.sentence;
+  if (report.result.status != IntegrationStatus::Completed) return report.result.message;
+  return "relative error " + percent(report.result.relative);
+}
+
+/// The verdict in place of that of a validation, where samples were too few for one.
+std::string fits_line(const IdentificationResult& result) {
+  const auto judged = [](const EquationFit& fit) { return fit.fits_to_noise.has_value(); };
+  const auto fails = [](const EquationFit& fit) { return !fit.fits_to_noise.value_or(true); };
+  if (std::none_of(result.fit.begin(), result.fit.end(), judged))
+    return "Not tested: nothing was held out, and no equation was compared with its noise.\n";
+  if (std::none_of(result.fit.begin(), result.fit.end(), fails))
+    return "Each equation that was compared fits to the noise; nothing was held out.\n";
+  std::string text;
+  for (const EquationFit& fit : result.fit)
+    if (fails(fit))
+      text += (text.empty() ? "" : ", ") + left_hand_side(fit.equation, result.model.evolution());
+  return text + ": above the noise; nothing was held out.\n";
+}
+
+std::string verdict_section(const IdentificationReport& report) {
+  const std::optional<Validation>& validation = report.result.validation;
+  std::string text = validation ? validation->sentence + "\n" + tested_on(*validation) + ".\n"
+                                : fits_line(report.result);
+  if (report.sync) text += "Synchronisation with the record: " + sync_phrase(*report.sync) + "\n";
+  if (validation)
+    for (const std::string& advice : validation->advice) text += "  " + advice + "\n";
   return text;
 }
 
-std::string trail_of(const IdentificationResult& result, const std::string& equation) {
-  std::vector<TrailEntry> removed;
-  std::size_t candidates = 0;
-  for (const TrailEntry& entry : result.trail) {
-    if (entry.equation != equation) continue;
-    ++candidates;
-    if (!entry.kept) removed.push_back(entry);
-  }
-  const std::size_t kept = candidates - removed.size();
-  return "  " + left_hand_side(equation, result.model.evolution()) + ": " +
-         std::to_string(candidates) + " candidates, " + std::to_string(kept) + " kept\n" +
-         removals_of(std::move(removed));
+std::string warnings_section(const std::vector<std::string>& warnings) {
+  std::string text = warnings.empty() ? "" : "\nWarnings\n";
+  for (std::size_t i = 0; i < std::min(warnings.size(), kShownWarnings); ++i)
+    text += "  " + warnings[i] + "\n";
+  if (warnings.size() > kShownWarnings)
+    text += "  " + std::to_string(warnings.size() - kShownWarnings) + " more\n";
+  return text;
 }
 
 }  // namespace
 
-std::string format_text(const IdentificationReport& report, bool full) {
-  const IdentificationResult& result = report.result;
-  std::ostringstream out;
-  out << "Equations\n"
-      << indented(equations_text(result.model, full)) << "\nCoefficients [state unit"
-      << (result.model.is_map() ? "" : " / " + result.model.time_unit()) << "]\n"
-      << coefficient_table(result.model, full) << "\nFit\n";
-  for (const EquationFit& fit : result.fit) out << fit_line(fit, result.model.evolution());
-  if (result.validation) out << "\nVerdict\n" << validation_text(*result.validation);
-  if (!result.relations.empty()) out << "\nRelations\n";
-  for (const Relation& relation : result.relations)
-    out << "  " << relation_sentence(relation) << "\n";
-  if (result.library_alone)
-    out << "\nThe library alone does not reach the noise; it gives\n"
-        << indented(to_text(*result.library_alone, 5));
-  if (result.noise.size() > 0)
-    out << "\nMeasurement noise (standard deviation)\n" << noise_text(result);
-  out << "\nTerms\n";
-  for (const EquationFit& fit : result.fit)
-    if (!fit.identity) out << trail_of(result, fit.equation);
-  out << next_terms(result);
-  if (report.sync) out << "\n" << format_text(*report.sync);
-  if (const std::string line = left_out_line(result.stages); !line.empty())
-    out << "\nStages\n  " << line << "\n";
-  if (!result.warnings.empty()) out << "\nWarnings\n";
-  for (const std::string& warning : result.warnings) out << "  " << warning << "\n";
-  return out.str();
+std::string format_text(const IdentificationReport& report, const TextOptions& options) {
+  const std::string first =
+      verdict_section(report) + "\n" + equations_section(report.result.model, options);
+  if (options.explain) return first + details_text(report, options.digits);
+  const std::string left_out = left_out_line(report.result.stages);
+  return first + warnings_section(report.result.warnings) +
+         (left_out.empty() ? "" : "\nStages " + left_out + "\n") + "\nDetails: --explain\n";
 }
 
 }  // namespace lacuna

@@ -75,6 +75,7 @@ std::string format_html(const Page& page) {
                 element("style", Markup::own(picture_style() + page_style()));
   Markup body = first_screen(page);
   for (const PageSection& section : page.sections) body += section_markup(section);
+  if (const auto glossary = glossary_of(page)) body += section_markup(*glossary);
   Markup foot = Markup::text("Made by lacuna " + std::string(kVersion));
   if (!page.command.empty())
     foot += Markup::text(" with ") + element("code", Markup::text(page.command));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -42,6 +43,10 @@ struct Page {
 /// loaded from anywhere; light and dark, wide and narrow, printable. The same page gives the
 /// same bytes.
 std::string format_html(const Page& page);
+
+/// What the words of a page mean, as details that are opened by a click: of those of the glossary
+/// that stand in the page. Nothing where none does.
+std::optional<PageSection> glossary_of(const Page& page);
 
 /// All pictures of a page in their order; names are unique.
 std::vector<Picture> pictures_of(const Page& page);

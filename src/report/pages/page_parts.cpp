@@ -28,7 +28,7 @@ margin:1.1rem 0}
 mtd{text-align:left;padding:.25em .15em}
 figure{margin:.8rem 0;overflow-x:auto}
 figure svg{display:block;width:100%;min-width:560px;max-width:60rem;height:auto}
-.wide{overflow-x:auto}table{border-collapse:collapse;font-size:.9rem}
+.wide{overflow-x:auto}.wide table{min-width:34rem}table{border-collapse:collapse;font-size:.9rem}
 th,td{text-align:left;padding:.25rem .8rem .25rem 0;border-bottom:1px solid var(--grid);
 vertical-align:top}
 th{color:var(--soft);font-weight:600}.number{text-align:right;white-space:nowrap;

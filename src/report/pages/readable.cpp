@@ -3,20 +3,22 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 
 #include "core/base/text.hpp"
 #include "core/statistics/determined.hpp"
 #include "data/records/piece_name.hpp"
-#include "lacuna/core/statistics/interval.hpp"
 
 namespace lacuna {
 namespace {
 
-/// Half of the 95 % interval of a coefficient, where it is known.
-std::optional<double> error_of(const WeightedTerm& summand) {
-  if (summand.ci95) return ((*summand.ci95)[1] - (*summand.ci95)[0]) / 2.0;
-  if (summand.standard_error) return kNormalQuantile975 * *summand.standard_error;
-  return std::nullopt;
+/// Most digits of a number in a sentence; records seldom determine more.
+constexpr int kMostShown = 8;
+
+constexpr std::string_view kUnknown = "not determined";
+
+int shown_digits(double value, double error) {
+  return std::min(kMostShown, digits_of(value, error));
 }
 
 /// "s" and the power 2 of "m/s^2"; nothing where the unit does not end in a power of time.
@@ -31,26 +33,47 @@ std::optional<int> power_of_time(const std::string& unit, const std::string& tim
   return std::nullopt;
 }
 
-}  // namespace
-
-int digits_of(double value, double error) {
-  if (!(error > 0.0) || value == 0.0) return 4;
-  const double digits = std::ceil(std::log10(std::abs(value) / error)) + 1.0;
-  return static_cast<int>(std::min(std::max(2.0, digits), 8.0));
+/// Whether an interval lies behind the last digit that is shown.
+bool is_sure_to_all_digits(const WeightedTerm& summand) {
+  const auto half = half_interval(summand);
+  return half && digits_of(summand.coefficient, *half) > kMostShown;
 }
+
+/// "2*x", "x" for a number 1, "(2.01 +- 0.03)*x", "2*(x + y)".
+std::string product_text(std::string number, const std::string& half, const Term& term) {
+  const Operation outermost = term.expression().operation();
+  const bool is_sum = outermost == Operation::Add || outermost == Operation::Subtract ||
+                      outermost == Operation::Negate;
+  const std::string factor = is_sum ? "(" + term.name() + ")" : term.name();
+  if (!half.empty())
+    number = "(" + number + (half == kUnknown ? ", " : " +- ") + half + ")";
+  if (term.name() == "1") return number;
+  return number == "1" ? factor : number + "*" + factor;
+}
+
+}  // namespace
 
 std::string with_error(double value, double error) {
   if (error == 0.0) return format_number(value, 4);
-  const std::string number = format_number(value, digits_of(value, error));
-  if (!is_determined(value, error)) return number + " (not determined)";
+  const std::string number = format_number(value, shown_digits(value, error));
+  if (!is_determined(value, error)) return number + " (" + std::string(kUnknown) + ")";
   return number + " +- " + format_number(error, 2);
 }
 
-std::string coefficient_text(const WeightedTerm& summand, bool full) {
-  if (full) return format_number(summand.coefficient);
-  const auto error = error_of(summand);
-  const bool known = error && *error > 0.0;
-  return format_number(summand.coefficient, known ? digits_of(summand.coefficient, *error) : 6);
+std::string coefficient_text(const WeightedTerm& summand, const Digits& digits) {
+  constexpr int kWithoutInterval = 6;
+  const double value = summand.coefficient;
+  if (digits.full) return format_number(value);
+  if (digits.significant) return format_number(value, *digits.significant);
+  const auto half = half_interval(summand);
+  return format_number(value, half ? shown_digits(value, *half) : kWithoutInterval);
+}
+
+std::string half_text(const WeightedTerm& summand) {
+  const auto half = half_interval(summand);
+  if (!half) return "";
+  return is_determined(summand.coefficient, *half) ? format_number(*half, 2)
+                                                  : std::string(kUnknown);
 }
 
 std::string percent(double fraction) {
@@ -80,27 +103,21 @@ std::string short_name(const std::string& source) {
   return slash == std::string::npos ? source : source.substr(slash + 1);
 }
 
-std::string equations_text(const OdeModel& model, bool full) {
-  std::string text;
-  for (std::size_t k = 0; k < model.states().size(); ++k) {
-    text += left_hand_side(model.states()[k].name, model.evolution()) + " =";
-    bool first = true;
-    for (const WeightedTerm& summand : model.equations()[k]) {
-      std::string number = coefficient_text(summand, full);
-      const bool negative = number.front() == '-';
-      if (negative) number.erase(0, 1);
-      const std::string& term = summand.term.name();
-      const bool plain = summand.term.expression().operation() != Operation::Add &&
-                         summand.term.expression().operation() != Operation::Subtract &&
-                         summand.term.expression().operation() != Operation::Negate;
-      const std::string factor = plain ? term : "(" + term + ")";
-      text += first ? (negative ? " -" : " ") : negative ? " - " : " + ";
-      text += term == "1" ? number : number == "1" ? factor : number + "*" + factor;
-      first = false;
-    }
-    text += first ? " 0\n" : "\n";
+std::string equation_text(const OdeModel& model, Index equation, const Digits& digits,
+                          Intervals intervals) {
+  const auto k = static_cast<std::size_t>(equation);
+  std::string text = left_hand_side(model.states()[k].name, model.evolution()) + " =";
+  bool first = true;
+  for (const WeightedTerm& summand : model.equations()[k]) {
+    std::string number = coefficient_text(summand, digits);
+    const bool negative = number.front() == '-';
+    if (negative) number.erase(0, 1);
+    text += first ? (negative ? " -" : " ") : negative ? " - " : " + ";
+    const bool is_shown = intervals == Intervals::Shown && !is_sure_to_all_digits(summand);
+    text += product_text(number, is_shown ? half_text(summand) : "", summand.term);
+    first = false;
   }
-  return text;
+  return text + (first ? " 0" : "");
 }
 
 }  // namespace lacuna

@@ -5,20 +5,20 @@
 #include <optional>
 #include <string>
 
-#include "lacuna/model/equations/ode_model.hpp"
+#include "lacuna/model/equations/rounding.hpp"
 
 namespace lacuna {
-
-/// Significant digits of a number that an error of it allows: two of the error's own; 4 where
-/// there is no error.
-int digits_of(double value, double error);
 
 /// The number and its error, to the digits that the error allows: "-0.398 +- 0.005"; "3e-12 (not
 /// determined)" where it is not (is_determined()).
 std::string with_error(double value, double error);
 
-/// A coefficient to the digits of its interval; without one 6, or all with `full`.
-std::string coefficient_text(const WeightedTerm& summand, bool full = false);
+/// A coefficient to the digits of its interval, without one 6; or as many as asked for.
+std::string coefficient_text(const WeightedTerm& summand, const Digits& digits = {});
+
+/// Half of its 95 % interval: "0.0023", "not determined" where it is more than the coefficient
+/// can bear (is_determined()); empty where there is none.
+std::string half_text(const WeightedTerm& summand);
 
 /// "12 %", "0.34 %".
 std::string percent(double fraction);
@@ -35,7 +35,11 @@ std::string with_unit(const std::string& name, const std::string& unit);
 /// A file without its folders: "run.csv, record 2" of "data/run.csv, record 2".
 std::string short_name(const std::string& source);
 
-/// Equations, one per line, with coefficients by coefficient_text().
-std::string equations_text(const OdeModel& model, bool full = false);
+enum class Intervals { Shown, Hidden };
+
+/// "dx/dt = -(9.98 +- 0.03)*x + 10*y" with coefficients by coefficient_text(); intervals that lie
+/// behind the digits shown are left out.
+std::string equation_text(const OdeModel& model, Index equation, const Digits& digits,
+                          Intervals intervals);
 
 }  // namespace lacuna

@@ -6,6 +6,7 @@
 
 #include "core/base/text.hpp"
 #include "core/statistics/determined.hpp"
+#include "lacuna/core/statistics/interval.hpp"
 #include "readable.hpp"
 
 namespace lacuna {
@@ -41,7 +42,8 @@ std::string relation_text(const Relation& relation) {
     text += (text.empty() ? "" : " ") + factor_text(term, text.empty()) + term.term;
   // Beside so much scatter a value is what rounding leaves of 0.
   const bool is_value = is_determined(relation.value, relation.scatter);
-  return text + " = " + with_error(is_value ? relation.value : 0.0, relation.scatter);
+  return text + " = " +
+         with_error(is_value ? relation.value : 0.0, kNormalQuantile975 * relation.scatter);
 }
 
 std::string relation_sentence(const Relation& relation) {

@@ -7,7 +7,7 @@
 
 namespace lacuna {
 
-/// "x^2 + y^2 = 4.00 +- 0.01".
+/// "x^2 + y^2 = 4.00 +- 0.02": 95 % of the samples lie so near to the value.
 std::string relation_text(const Relation& relation);
 
 /// The same with what follows for an identification: "... on these data: x^2, y^2 and a

@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/text.hpp"
-#include "text_table.hpp"
+#include "folded_text.hpp"
 
 namespace lacuna {
 namespace {

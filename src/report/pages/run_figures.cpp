@@ -130,12 +130,13 @@ std::vector<Picture> comparison_pictures(const RunView& view) {
         time_label(view),
         state_label(view, k),
         {}};
-    if (is_seen(run, k))
-      figure.series.push_back(
-          {"measured", run.time, run.measured.col(k), Curve::Measured, true});
     if (run.before.size() > 0)
       figure.series.push_back(split_series(view.before, run, run.before.col(k), Curve::Before));
     figure.series.push_back(split_series(view.after, run, run.after.col(k), Curve::Model));
+    // Points on top of the curves, which would hide them where the model is good.
+    if (is_seen(run, k))
+      figure.series.push_back(
+          {"measured", run.time, run.measured.col(k), Curve::Measured, true});
     pictures.push_back(draw(figure));
   }
   return pictures;

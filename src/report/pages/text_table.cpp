@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "text_table.hpp"
+#include "folded_text.hpp"
 
 #include <algorithm>
 

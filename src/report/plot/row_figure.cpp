@@ -10,12 +10,18 @@
 namespace lacuna {
 namespace {
 
-constexpr double kRow = 24.0, kFirstRow = 30.0, kAxis = 46.0;
-constexpr std::size_t kLabel = 48, kNote = 26;
+constexpr double kRow = 24.0, kLabelLine = 18.0, kFirstRow = 30.0, kAxis = 46.0;
+
+/// Characters of a label beside its bar; where one is longer all stand above their bars, where a
+/// line has room for kLongLabel.
+constexpr std::size_t kLabel = 48, kLongLabel = 120, kNote = 26;
 
 struct RowFrame {
   Scale scale;
   double left = 0.0, right = 0.0;
+  bool labels_above = false;
+
+  double row_height() const { return labels_above ? kRow + kLabelLine : kRow; }
 
   double at(double value) const { return left + scale.part(value) * (right - left); }
 };
@@ -33,12 +39,15 @@ Vector values_of(const RowFigure& figure) {
 
 RowFrame frame_of(const RowFigure& figure) {
   double label = 40.0, note = 20.0;
+  bool is_long = false;
   for (const Row& row : figure.rows) {
+    is_long = is_long || svg::shortened(row.label, kLabel) != row.label;
     label = std::max(label, svg::width_of(svg::shortened(row.label, kLabel)));
     note = std::max(note, svg::width_of(svg::shortened(row.note, kNote)));
   }
   const Vector values = values_of(figure);
-  return {scale_of({&values}), label + 16.0, svg::kWidth - note - 18.0};
+  return {scale_of({&values}), is_long ? 10.0 : label + 16.0, svg::kWidth - note - 18.0,
+          is_long};
 }
 
 Markup bar(const Row& row, const RowFrame& frame, double middle) {
@@ -65,10 +74,14 @@ Markup interval(const Row& row, const RowFrame& frame, double middle) {
                                         {"class", row.marked ? "dot marked" : "dot"}});
 }
 
-Markup row_of(const RowFigure& figure, const Row& row, const RowFrame& frame, double middle) {
+/// @param top of the row.
+Markup row_of(const RowFigure& figure, const Row& row, const RowFrame& frame, double top) {
+  const double middle = top + frame.row_height() - kRow / 2.0;
   Markup all = element("title", Markup::text(row.label + ": " + format_number(row.value, 6) +
                                              (row.note.empty() ? "" : ", " + row.note)));
-  all += svg::label(frame.left - 10.0, middle + 4.0, svg::shortened(row.label, kLabel), "end");
+  all += frame.labels_above
+             ? svg::label(16.0, top + 14.0, svg::shortened(row.label, kLongLabel), "start")
+             : svg::label(frame.left - 10.0, middle + 4.0, row.label, "end");
   all += figure.intervals ? interval(row, frame, middle) : bar(row, frame, middle);
   all += svg::label(frame.right + 8.0, middle + 4.0, svg::shortened(row.note, kNote), "start",
                     "tick");
@@ -79,7 +92,7 @@ Markup row_of(const RowFigure& figure, const Row& row, const RowFrame& frame, do
 
 Picture draw(const RowFigure& figure) {
   const RowFrame frame = frame_of(figure);
-  const double bottom = kFirstRow + kRow * static_cast<double>(figure.rows.size());
+  const double bottom = kFirstRow + frame.row_height() * static_cast<double>(figure.rows.size());
   Markup content = svg::label(8.0, 16.0, svg::shortened(figure.title, 100), "start", "title");
   const int count = static_cast<int>((frame.right - frame.left) / 70.0);
   for (const Tick& tick : ticks_of(frame.scale, std::clamp(count, 2, 8))) {
@@ -91,7 +104,7 @@ Picture draw(const RowFigure& figure) {
                         svg::shortened(figure.x_label, 80), "middle", "axis");
   for (std::size_t r = 0; r < figure.rows.size(); ++r)
     content += row_of(figure, figure.rows[r], frame,
-                      kFirstRow + kRow * (static_cast<double>(r) + 0.5));
+                      kFirstRow + frame.row_height() * static_cast<double>(r));
   return {figure.name, figure.title,
           svg::drawing(figure.title, "rows", svg::kWidth, bottom + kAxis, content), figure};
 }

@@ -6,6 +6,7 @@
 
 #include "lacuna/identify/pipeline/pipeline.hpp"
 #include "lacuna/report/pages/sync_report.hpp"
+#include "lacuna/report/pages/text_options.hpp"
 
 namespace lacuna {
 
@@ -17,10 +18,10 @@ struct IdentificationReport {
   std::optional<SyncReport> sync = {};  ///< the verification against the record
 };
 
-/// For people: equations, coefficients with their standard errors, fit, noise, which terms were
-/// removed by what number, synchronisation, warnings. Numbers have the digits that their
-/// intervals allow, all with `full`.
-std::string format_text(const IdentificationReport& report, bool full = false);
+/// For people, on a screen of 80 x 40: the verdict, what it was tested on, equations with 95 %
+/// intervals, at most two warnings. With `explain` also the coefficients one by one, fits, noise,
+/// relations, which terms were removed by what number, synchronisation, all warnings.
+std::string format_text(const IdentificationReport& report, const TextOptions& options = {});
 
 /// JSON text of the format "lacuna.identification/1"; the same report gives the same bytes.
 std::string format_json(const IdentificationReport& report);

@@ -7,6 +7,7 @@ namespace {
 using testing::expect_failure;
 using ::testing::HasSubstr;
 using testing::run_command;
+using testing::unfolded;
 
 TEST(DescribeCommand, ShowsOptionsOfEveryPart) {
   const Registry registry = default_registry();
@@ -14,7 +15,7 @@ TEST(DescribeCommand, ShowsOptionsOfEveryPart) {
     const auto result = run_command({"describe", std::string(entry.info.name)});
     EXPECT_EQ(result.status, 0);
     EXPECT_THAT(result.out, HasSubstr("(" + std::string(entry.kind) + ")"));
-    EXPECT_THAT(result.out, HasSubstr(std::string(entry.info.summary)));
+    EXPECT_THAT(unfolded(result.out), HasSubstr(std::string(entry.info.summary)));
   }
   EXPECT_THAT(run_command({"describe", "stlsq"}).out,
               HasSubstr("threshold  (number, >= 0; default 0.01)"));

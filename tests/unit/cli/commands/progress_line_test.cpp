@@ -11,7 +11,7 @@ using std::chrono::milliseconds;
 TEST(ProgressLine, SaysWhatIsLeftOfWhatTakesLong) {
   ProgressLine line;
   const ProgressLine::Time begin{};
-  EXPECT_EQ(line.text({"reading", 0.0}, begin), "reading: 0 %");
+  EXPECT_EQ(line.text({"reading", 0.0}, begin), "reading");
   EXPECT_EQ(line.text({"reading", 0.1}, begin + milliseconds(500)), "reading: 10 %");
   EXPECT_EQ(line.text({"reading", 0.25}, begin + milliseconds(10000)),
             "reading: 25 %, 30 s left");

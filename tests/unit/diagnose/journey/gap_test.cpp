@@ -3,7 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include "lacuna/diagnose/journey/diagnose.hpp"
 #include "support/assimilated_oscillator.hpp"
+#include "support/own_effects.hpp"
 
 namespace lacuna {
 namespace {
@@ -77,6 +79,36 @@ TEST(Gap, AChannelThatNeverMovesIsLeftOut) {
   const Gap gap =
       measure_gap(support::oscillator(), nothing, {as_measured(still), still}, RunContext{});
   EXPECT_TRUE(std::isfinite(gap.before) && std::isfinite(gap.noise_floor)) << gap.before;
+}
+
+/// The record with one channel, 100 times the position, in place of the states.
+Dataset encoder_record(std::uint64_t seed, double start) {
+  Dataset data = support::hidden_record(support::dry_friction, 0.01, seed, start);
+  data.states = {{"enc", ""}};
+  data.trajectories[0].states = Matrix(100.0 * data.trajectories[0].states.col(0));
+  return data;
+}
+
+TEST(Gap, CurvesOfChannelsAreThoseOfTheStatesInTheirFormulas) {
+  const std::string position = support::oscillator().states()[0].name;
+  const OdeModel nominal = support::oscillator().with_outputs(
+      {{"enc", "", parse_expression("100*" + position)}});
+  DiagnosisOptions options;
+  options.effects = support::own_effects();
+  const Diagnosis found = diagnose(nominal, encoder_record(3, 1.0), encoder_record(4, -0.7),
+                                   options, RunContext{});
+  ASSERT_TRUE(found.gap.has_value());
+  ASSERT_FALSE(found.gap->runs.empty());
+  const GapRecord& run = found.gap->runs.front();
+  ASSERT_EQ(run.before.cols(), 3);
+  int compared = 0;
+  for (const Matrix* curve : {&run.before, &run.after})
+    for (Index i = 0; i < curve->rows(); ++i) {
+      if (!std::isfinite((*curve)(i, 0))) continue;
+      EXPECT_NEAR((*curve)(i, 2), 100.0 * (*curve)(i, 0), 1e-6) << i;
+      ++compared;
+    }
+  EXPECT_GT(compared, 100);
 }
 
 }  // namespace

@@ -195,7 +195,7 @@ TEST(ExportModel, UnitsAreNoCode) {
       EXPECT_EQ(text.find("evil = 42; //"), std::string::npos) << format;
     }
   EXPECT_THAT(export_model(with_unit("\""), "modelica"), HasSubstr("(unit=\"<U+0022>\")"));
-  EXPECT_THAT(export_model(with_unit("V"), "c"), HasSubstr("// Left out: the outputs y [V]."));
+  EXPECT_THAT(export_model(with_unit("V"), "c"), HasSubstr("// Outputs: y [V]."));
 }
 
 TEST(ExportModel, PythonHasItsEncodingInTheFirstLine) {

@@ -35,7 +35,7 @@ std::map<std::string, int> pictures(const Page& page) {
 
 TEST(Pages, IdentificationShowsWhatItShould) {
   const Page page = identification_page(sample_report(), oscillation());
-  EXPECT_EQ(page.headline, "Equations were found that explain the record to its noise.");
+  EXPECT_EQ(page.headline, "1 term in 1 equation describes the record to its noise.");
   EXPECT_EQ(page.tone, Tone::Good);
   EXPECT_EQ(pictures(page), (std::map<std::string, int>{{"comparison_x", 1},
                                                         {"comparison_y", 1},
@@ -75,7 +75,10 @@ TEST(Pages, IdentificationBeginsWithItsVerdict) {
   report.result.validation = testing::sample_validation();
   report.result.relations = {testing::sample_relation()};
   const Page page = identification_page(report, oscillation());
-  EXPECT_THAT(page.headline, HasSubstr("An approximation"));
+  EXPECT_EQ(page.headline,
+            "1 term in 1 equation describes the record roughly, not to its noise.");
+  ASSERT_FALSE(page.findings.empty());
+  EXPECT_THAT(page.findings[0], HasSubstr("An approximation"));
   EXPECT_EQ(page.tone, Tone::Doubtful);
   const std::string html = format_html(page);
   EXPECT_EQ(support::first_fault(html), "");

@@ -83,6 +83,16 @@ TEST(RowFigure, IntervalsHaveWhiskersAndLongNamesAreCut) {
   EXPECT_EQ(count(draw(figure).svg.string(), "class=\"whisker\""), 0);
 }
 
+TEST(RowFigure, LongNamesStandAboveTheirBars) {
+  const std::string name = std::string(40, 'n') + " and " + std::string(40, 'm');
+  const std::string beside = draw(RowFigure{"rows", "", "", {{"short", 1.0}}}).svg.string();
+  const std::string above =
+      draw(RowFigure{"rows", "", "", {{"short", 1.0}, {name, 2.0}}}).svg.string();
+  EXPECT_THAT(above, HasSubstr(">" + name + "</text>"));
+  EXPECT_EQ(count(beside, "text-anchor=\"end\""), 1) << "beside its bar";
+  EXPECT_EQ(count(above, "text-anchor=\"end\""), 0);
+}
+
 TEST(OrbitFigure, BringsWholeNumbersForTurning) {
   Matrix points(3, 3);
   points << 0, 0, 0, NAN, 0, 0, 2, 4, 8;

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+#include "core/files/zip_archive.hpp"
+
+#include <gtest/gtest.h>
+
+#include "support/other_programs.hpp"
+#include "support/temporary_folder.hpp"
+
+namespace lacuna {
+namespace {
+
+TEST(ZipArchive, BytesAreThoseOfTheFormat) {
+  const std::string archive = zip_archive({{"a", "123456789"}});
+  // Local header 30 + name 1 + 9 bytes, central header 46 + 1, end 22.
+  ASSERT_EQ(archive.size(), 30u + 1u + 9u + 46u + 1u + 22u);
+  EXPECT_EQ(archive.substr(0, 4), "PK\x03\x04");
+  // The check value of CRC-32: 0xCBF43926 for "123456789".
+  EXPECT_EQ(archive.substr(14, 4), "\x26\x39\xf4\xcb");
+  EXPECT_EQ(archive.substr(30, 10), "a123456789");
+  EXPECT_EQ(archive.substr(40, 4), "PK\x01\x02");
+}
+
+TEST(ZipArchive, OtherProgramsReadIt) {
+  const std::string python = testing::python_with("zipfile");
+  if (python.empty()) GTEST_SKIP() << "there is no Python";
+  const testing::TemporaryFolder folder;
+  const std::string path =
+      folder.write("a.zip", zip_archive({{"one.txt", "12"}, {"in/two.txt", ""}, {"3", "777"}}));
+  const std::string script = folder.write(
+      "read.py", "import sys, zipfile\nz = zipfile.ZipFile(sys.argv[1])\n"
+                 "assert z.testzip() is None\n"
+                 "assert z.namelist() == ['one.txt', 'in/two.txt', '3']\n"
+                 "print(z.read('one.txt').decode(), len(z.read('in/two.txt')))\n"
+                 "print(int(z.read('3')))\n");
+  EXPECT_EQ(testing::printed_numbers(python + " " + script + " " + path),
+            (std::vector<double>{12.0, 0.0, 777.0}));
+}
+
+}  // namespace
+}  // namespace lacuna
