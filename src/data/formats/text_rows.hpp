@@ -74,7 +74,7 @@ class TextRows {
   ///   for thousands, and of a ragged line or text in a column where there are very many.
   void read(std::string_view lines, Table& table);
 
-  /// Says, behind all lines, what was left out, in the notes of columns().
+  /// Notes in columns(), behind all lines, which lines were no samples.
   /// @throws DataError naming the first line that cannot be read where there are too many
   ///   (notes_of_damage()).
   void finish();

@@ -51,7 +51,8 @@ TEST(CheckCommand, SlipsOfUnitsAreHints) {
 TEST(CheckCommand, FilesThatAreNoRecordsAreNamed) {
   const Records records;
   const std::string book = records.folder().write("a.xlsx", "PK\x03\x04....xl/workbook.xml");
-  expect_failure(run_command({"check", book}), 2, {"the archive is cut short", "the sheet as .csv"});
+  expect_failure(run_command({"check", book}), 2,
+                 {"the archive is cut short", "the sheet as .csv"});
   const std::string parquet = records.folder().write("a.parquet", "PAR1....");
   expect_failure(run_command({"check", parquet}), 2, {"a Parquet file", "read_parquet"});
 }
