@@ -18,6 +18,7 @@ packages=(
   libboost-dev             # Boost.Math: quantiles
   zlib1g-dev               # compressed records
   libopenmpi-dev openmpi-bin  # several machines: lacuna-mpi
+  libexpat1-dev            # workbooks: .xlsx, .ods
   libmatio-dev libhdf5-dev # records of MATLAB, HDF5 and netCDF
   libgtest-dev libgmock-dev libbenchmark-dev
   rapidjson-dev            # checks of JSON schemas, in the tests

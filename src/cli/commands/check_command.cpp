@@ -7,6 +7,7 @@
 #include "lacuna/records/binding/gaps.hpp"
 #include "lacuna/records/binding/read_records.hpp"
 #include "lacuna/records/channels/map_hint.hpp"
+#include "records/channels/column_hints.hpp"
 #include "report/pages/data_summary.hpp"
 
 namespace lacuna::cli {
@@ -62,6 +63,7 @@ DataSummary answer(const Registry& registry, const CheckRequest& request) {
   if (request.model) return summary_for(*differentiator, request);
   const Dataset data = read_data(request.data);
   DataSummary summary = summarise(data, data.input_count());
+  summary.hints = column_hints(data);
   if (const std::optional<Hint> hint = map_hint(data)) summary.hints.push_back(*hint);
   return summary;
 }

@@ -5,6 +5,7 @@
 
 #include "answers.hpp"
 #include "command.hpp"
+#include "data/units/in_units.hpp"
 #include "data_options.hpp"
 #include "lacuna/dynamics/integration/record_input.hpp"
 #include "lacuna/dynamics/integration/simulate.hpp"
@@ -64,7 +65,7 @@ CompareAnswer compare_records(const CompareRequest& options, const RecordSources
                       "name a model or a record, then one record");
   DataOptions first = options.data;
   static_cast<RecordSources&>(first) = one;
-  const Dataset a = read_data(first), b = read_data(options.data);
+  const Dataset a = read_data(first), b = in_units_of(a.states, read_data(options.data));
   return {{first.name(), options.data.name(), compare_attractors(a, b)}};
 }
 

@@ -40,8 +40,7 @@ std::optional<TextDialect> dialect_of(std::string_view begin) {
   begin = without_byte_order_mark(begin);
   for (const auto dialect :
        {dialects::rigol, dialects::tektronix, dialects::labview, dialects::ngspice_raw,
-        dialects::stepped_ltspice, dialects::ngspice_print, dialects::ngspice_wrdata,
-        dialects::clock_times})
+        dialects::stepped_ltspice, dialects::ngspice_print, dialects::ngspice_wrdata})
     if (auto found = dialect(begin)) return found;
   return std::nullopt;
 }

@@ -31,14 +31,16 @@ struct TextDialect {
   /// Between the columns of the file, where the first one is made and the others are taken
   /// over.
   char delimiter = '\0';
+
+  bool makes_first = true;  ///< the first column is made, from a step or a clock
+  std::vector<std::size_t> places = {};  ///< of the columns in the file, from 0, if others
 };
 
 /// How a text is to be taken where it is one of:
 /// - Rigol: `X,CH1,Start,Increment` with a step instead of times;
 /// - Tektronix TDS: preamble and samples side by side;
 /// - LabVIEW measurement (.lvm);
-/// - LTspice export of a stepped run, ngspice: `print`, `wrdata`, raw file as text;
-/// - times of day or dates in the first column.
+/// - LTspice export of a stepped run, ngspice: `print`, `wrdata`, raw file as text.
 /// Nothing for every other text.
 /// @param begin whole lines with which it begins, or all of it.
 std::optional<TextDialect> dialect_of(std::string_view begin);
@@ -57,7 +59,9 @@ std::optional<TextDialect> stepped_ltspice(std::string_view begin);
 std::optional<TextDialect> ngspice_print(std::string_view begin);
 std::optional<TextDialect> ngspice_wrdata(std::string_view begin);
 std::optional<TextDialect> ngspice_raw(std::string_view begin);
-std::optional<TextDialect> clock_times(std::string_view begin);
+
+/// What is no file of these: clock times, text, units and labels in cells (data/logs).
+std::optional<TextDialect> log_of_device(std::string_view begin);
 
 }  // namespace dialects
 

@@ -5,6 +5,7 @@
 #include <array>
 
 #include "data/records/text_field.hpp"
+#include "data/sheets/workbook.hpp"
 #include "lacuna/core/base/error.hpp"
 
 namespace lacuna {
@@ -16,13 +17,23 @@ struct Kind {
   std::string_view remedy;
 };
 
+constexpr std::string_view kTopics =
+    "convert a topic: ros2 topic echo --csv /TOPIC > FILE.csv, while ros2 bag play FILE runs";
 constexpr std::string_view kColumns = "save the columns as .csv or NumPy's .npy";
 
-constexpr std::array<Kind, 13> kKinds{
+constexpr std::array<Kind, 16> kKinds{
     {{"MATLAB ", "a damaged MATLAB file", "save it again, or the columns as .csv"},
-     {"\xD0\xCF\x11\xE0", "an old Excel workbook (.xls)", "save the sheet as .csv"},
-     {"TDSm", "a LabVIEW TDMS file", "export it as .lvm or .csv"},
-     {"PAR1", "a Parquet file", kColumns},
+     {"\xD0\xCF\x11\xE0", "an old Excel workbook (.xls)", "save it as .xlsx"},
+     {"TDSm", "a LabVIEW TDMS file",
+      "convert it: python3 -c \"import nptdms; nptdms.TdmsFile.read('FILE.tdms')"
+      ".as_dataframe(time_index=True).to_csv('FILE.csv')\""},
+     {"PAR1", "a Parquet file",
+      "convert it: python3 -c \"import pandas; pandas.read_parquet('FILE.parquet')"
+      ".to_csv('FILE.csv', index=False)\""},
+     {"\x89MCAP0\r\n", "an MCAP file", kTopics},
+     {"SQLite format 3", "a database (a ROS 2 bag, if it ends in .db3)", kTopics},
+     {"#ROSBAG V", "a ROS 1 bag",
+      "convert a topic: rostopic echo -b FILE.bag -p /TOPIC > FILE.csv"},
      {"RIFF", "a sound file (WAV)", kColumns},
      {"%PDF", "a PDF document", "give the file with the numbers"},
      {"\x89PNG", "a picture (PNG)", "give the file with the numbers"},
@@ -34,17 +45,6 @@ constexpr std::array<Kind, 13> kKinds{
       "ELF",
       "a program", "give the file with the numbers"},
      {"%!PS", "a PostScript document", "give the file with the numbers"}}};
-
-/// A zip archive by what is in it.
-KnownFile zip_kind(std::string_view bytes) {
-  const auto has = [&](std::string_view name) {
-    return bytes.find(name) != std::string_view::npos;
-  };
-  if (has("xl/workbook")) return {"an Excel workbook (.xlsx)", "save the sheet as .csv"};
-  if (has("opendocument.spreadsheet"))
-    return {"a LibreOffice spreadsheet (.ods)", "save the sheet as .csv"};
-  return {"a zip archive", "unpack it and give the file with the numbers"};
-}
 
 /// Whether the name ends in an ending such as .npy, or in that and .gz.
 bool is_named(const std::filesystem::path& path, std::string_view ending) {
@@ -67,7 +67,8 @@ std::optional<KnownFile> known_file(std::string_view bytes) {
   for (const Kind& kind : kKinds)
     if (bytes.substr(0, kind.begin.size()) == kind.begin)
       return KnownFile{std::string(kind.what), std::string(kind.remedy)};
-  if (bytes.substr(0, 4) == "PK\x03\x04") return zip_kind(bytes);
+  if (bytes.substr(0, 4) == "PK\x03\x04")
+    return KnownFile{"a zip archive", "unpack it and give the file with the numbers"};
   return std::nullopt;
 }
 
@@ -78,6 +79,7 @@ FileKind kind_of(const std::filesystem::path& path, std::string_view begin,
   const int mat = mat_version(begin);
   if (mat == 7 || begin.starts_with("\x89HDF\r\n\x1a\n")) return FileKind::Hdf5;
   if (mat == 5) return FileKind::Mat;
+  if (is_workbook(begin)) return FileKind::Workbook;
   if (const auto known = known_file(begin))
     throw DataError(source, "this is " + known->what + ", which cannot be read", known->remedy);
   return FileKind::Text;

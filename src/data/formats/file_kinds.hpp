@@ -21,8 +21,9 @@ std::optional<KnownFile> known_file(std::string_view bytes);
 enum class FileKind {
   Npy,
   Npz,
-  Mat,   ///< MATLAB's of version 5 to 7
-  Hdf5,  ///< also MATLAB's of version 7.3, netCDF 4
+  Mat,       ///< MATLAB's of version 5 to 7
+  Workbook,  ///< .xlsx, .ods
+  Hdf5,      ///< also MATLAB's of version 7.3, netCDF 4
   Text,
 };
 

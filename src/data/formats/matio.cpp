@@ -113,8 +113,17 @@ class Warnings {
 thread_local bool Warnings::seen_ = false;
 
 bool is_structure(const matvar_t& variable) {
-  return variable.class_type == MAT_C_STRUCT && variable.data != nullptr &&
-         elements_of(variable) == 1.0;
+  return variable.class_type == MAT_C_STRUCT && variable.data != nullptr;
+}
+
+/// A cell array, of runs for instance.
+bool is_cells(const matvar_t& variable) {
+  return variable.class_type == MAT_C_CELL && variable.data != nullptr;
+}
+
+/// The name of one of several elements: "run1", "run2"; the only one has the name alone.
+std::string name_of_element(const std::string& name, std::size_t element, std::size_t count) {
+  return count == 1 ? name : name + std::to_string(element + 1);
 }
 
 /// What is found in a file.
@@ -126,21 +135,35 @@ struct Found {
 void collect(const matvar_t& variable, const OwnedVariable& owner, const std::string& name,
              Found& found);
 
-/// Adds what stands in the fields of a structure.
+/// Adds what stands in the fields of a structure, or of each of an array of them.
 void collect_fields(const matvar_t& variable, const OwnedVariable& owner,
                     const std::string& name, Found& found) {
   auto* structure = const_cast<matvar_t*>(&variable);  // matio's getters only read
   const char* const* fields = Mat_VarGetStructFieldnames(structure);
   const std::size_t count = Mat_VarGetNumberOfFields(structure);
-  for (std::size_t f = 0; f < count; ++f)
-    if (const matvar_t* field = Mat_VarGetStructFieldByIndex(structure, f, 0))
-      collect(*field, owner, name + "." + fields[f], found);
+  const auto elements = static_cast<std::size_t>(elements_of(variable));
+  for (std::size_t i = 0; i < elements; ++i)
+    for (std::size_t f = 0; f < count; ++f)
+      if (const matvar_t* field = Mat_VarGetStructFieldByIndex(structure, f, i))
+        collect(*field, owner, name_of_element(name, i, elements) + "." + fields[f], found);
+}
+
+/// Adds what stands in the cells of an array.
+void collect_cells(const matvar_t& variable, const OwnedVariable& owner,
+                   const std::string& name, Found& found) {
+  auto* cells = const_cast<matvar_t*>(&variable);  // matio's getters only read
+  const auto elements = static_cast<std::size_t>(elements_of(variable));
+  for (std::size_t i = 0; i < elements; ++i)
+    if (const matvar_t* cell = Mat_VarGetCell(cells, static_cast<int>(i)))
+      collect(*cell, owner, name_of_element(name, i, elements), found);
 }
 
 void collect(const matvar_t& variable, const OwnedVariable& owner, const std::string& name,
              Found& found) {
   if (is_structure(variable)) {
     collect_fields(variable, owner, name, found);
+  } else if (is_cells(variable)) {
+    collect_cells(variable, owner, name, found);
   } else if (std::optional<Matrix> values = values_of(variable)) {
     found.arrays.push_back({name, std::move(*values)});
     add_written(variable, owner, found.arrays.back());
@@ -157,9 +180,11 @@ bool can_hold(std::size_t file_bytes, const matvar_t& variable) {
   if (!is_structure(variable)) return true;
   auto* structure = const_cast<matvar_t*>(&variable);
   const std::size_t count = Mat_VarGetNumberOfFields(structure);
-  for (std::size_t f = 0; f < count; ++f)
-    if (const matvar_t* field = Mat_VarGetStructFieldByIndex(structure, f, 0))
-      if (!can_hold(file_bytes, *field)) return false;
+  const auto elements = static_cast<std::size_t>(elements_of(variable));
+  for (std::size_t i = 0; i < elements; ++i)
+    for (std::size_t f = 0; f < count; ++f)
+      if (const matvar_t* field = Mat_VarGetStructFieldByIndex(structure, f, i))
+        if (!can_hold(file_bytes, *field)) return false;
   return true;
 }
 

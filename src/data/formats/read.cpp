@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <iterator>
 #include <memory>
+#include <optional>
 #include <string_view>
 #include <system_error>
 #include <utility>
@@ -13,6 +14,8 @@
 #include "core/files/file_bytes.hpp"
 #include "data/records/same_columns.hpp"
 #include "data/records/text_field.hpp"
+#include "data/sheets/workbook.hpp"
+#include "data/units/in_units.hpp"
 #include "file_kinds.hpp"
 #include "hdf5.hpp"
 #include "lacuna/core/base/error.hpp"
@@ -75,12 +78,33 @@ void append(Dataset& data, Dataset more) {
 
 namespace {
 
-Table read_any(const fs::path& path, const TimeFinder& find) {
+/// A file, and the sheet of a workbook: "book.xlsx#Sheet". What exists as it is written names
+/// no sheet.
+struct FileAndSheet {
+  fs::path file;
+  std::optional<std::string> sheet;
+};
+
+FileAndSheet file_and_sheet(const fs::path& path) {
+  const std::string text = path.string();
+  const std::size_t sign = text.rfind('#');
+  std::error_code ignored;
+  if (sign == std::string::npos || fs::exists(path, ignored)) return {path, std::nullopt};
+  const fs::path file = text.substr(0, sign);
+  if (!fs::exists(file, ignored)) return {path, std::nullopt};
+  return {file, text.substr(sign + 1)};
+}
+
+Table read_any(const fs::path& named, const TimeFinder& find) {
+  const auto [path, sheet] = file_and_sheet(named);
   const bool piped = path == "-";
   const FileBytes content = read_bytes(piped ? fs::path("/dev/stdin") : path);
   const std::string_view bytes = content.view();
-  const std::string source = piped ? "standard input" : path.string();
-  switch (kind_of(path, bytes, source)) {
+  const std::string source = piped ? "standard input" : named.string();
+  const FileKind kind = kind_of(path, bytes, source);
+  if (sheet && kind != FileKind::Workbook)
+    throw DataError(source, "only workbooks have sheets", "leave out '#" + *sheet + "'");
+  switch (kind) {
     case FileKind::Npy:
       return parse_npy(bytes, source, find);
     case FileKind::Npz:
@@ -89,6 +113,8 @@ Table read_any(const fs::path& path, const TimeFinder& find) {
       return read_named_mat(path, find);
     case FileKind::Hdf5:
       return parse_hdf5(bytes, source, find);
+    case FileKind::Workbook:
+      return parse_text(sheet_text(bytes, sheet, source), source, find);
     case FileKind::Text:
       break;
   }
@@ -109,11 +135,13 @@ Dataset joined(std::size_t count,
   Dataset data = assign_roles(first, roles);
   if (count == 1) return data;
   const ColumnRoles fixed = fixed_roles(first, roles);
+  std::vector<Quantity> quantities = data.states;
+  quantities.insert(quantities.end(), data.inputs.begin(), data.inputs.end());
   first.values.resize(0, 0);  // only its columns are looked at from here on
   for (std::size_t i = 1; i < count; ++i) {
     const Table table = table_at(i, fixed);
     check_same_columns(first, table);
-    Dataset more = assign_roles(table, fixed);
+    Dataset more = in_units_of(quantities, assign_roles(table, fixed));
     check_same_units(data, more, table.source, first.source);
     append(data, std::move(more));
   }
@@ -129,6 +157,7 @@ Table renamed(Table table, const ColumnRoles& roles) {
                         std::to_string(table.values.cols()) + " columns",
                     "give one name for each column");
   for (const auto& [name, column] : roles.names) rename_column(table, name, column);
+  name_in_order(table, roles);
   return table;
 }
 

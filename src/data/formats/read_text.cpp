@@ -23,6 +23,8 @@ Table parse_text(std::string_view text, const std::string& source, const TimeFin
   TextRows rows(format_of(text, source), source, find);
   Table table = rows.columns();
   rows.read(text, table);
+  rows.finish();
+  table.notes = rows.columns().notes;
   return table;
 }
 

@@ -47,6 +47,8 @@ std::unique_ptr<RowBlocks> row_blocks(std::unique_ptr<OpenedFile> file, std::siz
       refuse_blocks(*file, "NumPy's .npz", "save its columns as one .npy array");
     case FileKind::Mat:
       refuse_blocks(*file, "a MATLAB file before version 7.3", "save it with '-v7.3'");
+    case FileKind::Workbook:
+      refuse_blocks(*file, "a workbook", "save the sheet as .csv");
     case FileKind::Hdf5:
       if (!file->has_places())
         refuse_blocks(*file, "an HDF5 file that is packed or comes through a pipe",

@@ -73,6 +73,7 @@ class TextBlocks final : public RowBlocks {
     }
     rows_.read(lines, block);
     has_ended_ = part_.is_all();
+    if (has_ended_) rows_.finish();
     part_.drop(lines.size());
     return true;
   }

@@ -7,6 +7,7 @@
 
 #include "data/records/text_field.hpp"
 #include "data/times/time_names.hpp"
+#include "data/units/units.hpp"
 #include "lacuna/core/base/error.hpp"
 #include "lacuna/data/records/table.hpp"
 
@@ -176,24 +177,6 @@ bool has_unit_of_time(const std::vector<std::string_view>& fields,
   return time_unit_symbol(fields[time]) && (named || fields[time].size() > 1);
 }
 
-/// Puts the units of the line below the names into the headers.
-/// @return false when the line is not one of units only.
-bool take_units(std::string_view line, char delimiter, std::vector<Quantity>& headers) {
-  std::vector<std::string_view> fields;
-  split_fields(line, delimiter, fields);
-  if (fields.size() < headers.size()) return false;
-  const bool any = has_unit_of_time(fields, headers);
-  std::vector<std::string> units;
-  for (const std::string_view field : fields) {
-    units.push_back(unit_symbol(field));
-    if (!units.back().empty() || field.empty() || field == "-") continue;
-    if (!any) return false;
-    units.back() = field;
-  }
-  for (std::size_t i = 0; i < headers.size(); ++i) headers[i].unit = units[i];
-  return true;
-}
-
 std::vector<Quantity> read_names(std::string_view line, char delimiter) {
   std::vector<std::string_view> fields;
   split_fields(line, delimiter, fields);
@@ -211,7 +194,9 @@ bool take_names_and_units(const Start& start, std::size_t columns, TextLayout& l
   layout.headers = read_names(names.text, start.delimiter);
   if (read_field(layout.headers[0].name).kind == TextField::Kind::Number) return false;
   layout.header_line = names.number;
-  return take_units(start.before.back().text, start.delimiter, layout.headers);
+  std::vector<std::string_view> units;
+  split_fields(start.before.back().text, start.delimiter, units);
+  return take_units(units, layout.headers);
 }
 
 void check_line_before(const Start& start, std::size_t columns, const std::string& source) {
@@ -287,7 +272,22 @@ std::string unit_symbol(std::string_view field) {
   const std::string word = lower_case(field);
   for (const auto& [name, symbol] : kWords)
     if (word == name) return std::string(symbol);
-  return "";
+  // One letter may be a name as well.
+  return field.size() > 1 && read_unit(field) ? std::string(field) : "";
+}
+
+bool take_units(const std::vector<std::string_view>& fields, std::vector<Quantity>& headers) {
+  if (fields.size() < headers.size()) return false;
+  const bool any = has_unit_of_time(fields, headers);
+  std::vector<std::string> units;
+  for (const std::string_view field : fields) {
+    units.push_back(unit_symbol(field));
+    if (!units.back().empty() || field.empty() || field == "-") continue;
+    if (!any) return false;
+    units.back() = field;
+  }
+  for (std::size_t i = 0; i < headers.size(); ++i) headers[i].unit = units[i];
+  return true;
 }
 
 char line_end_of(std::string_view text) {

@@ -29,6 +29,10 @@ struct TextLayout {
 /// it is none.
 std::string unit_symbol(std::string_view field);
 
+/// Puts the units of a line below the names into the headers.
+/// @return false when the line is not one of units only.
+bool take_units(const std::vector<std::string_view>& fields, std::vector<Quantity>& headers);
+
 /// '\r' in texts that have no '\n'.
 char line_end_of(std::string_view text);
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <iterator>
 #include <utility>
 #include <vector>
 
@@ -12,6 +13,19 @@
 namespace lacuna {
 namespace {
 
+/// A number with a decimal point; points beside a comma are between thousands.
+bool has_point(std::string_view field) {
+  return field.find('.') != std::string_view::npos &&
+         field.find(',') == std::string_view::npos &&
+         read_field(field).kind == TextField::Kind::Number;
+}
+
+/// Why a line cannot be read, which may be damage of this line alone.
+class UnreadLine : public DataError {
+ public:
+  using DataError::DataError;
+};
+
 /// Reads lines of numbers into a table whose columns are known.
 ///
 /// Each line is first read by a plain loop over std::from_chars; a line that is anything but
@@ -20,7 +34,7 @@ class RowReader {
  public:
   /// @param line number of the first line.
   RowReader(std::string_view lines, const TextLayout& layout, const NumberStyle& style,
-            std::size_t line, Table& table)
+            std::size_t line, Table& table, std::vector<BadLine>& bad)
       : cursor_(lines.data()),
         end_(lines.data() + lines.size()),
         layout_(layout),
@@ -30,7 +44,8 @@ class RowReader {
         counted_(style.time.value_or(-1)),
         table_(table),
         columns_(static_cast<Index>(layout.columns())),
-        line_(line) {}
+        line_(line),
+        bad_(bad) {}
 
   /// @return number of the line behind the last one.
   std::size_t read() {
@@ -59,7 +74,8 @@ class RowReader {
     if (!read) {
       const char* stop = std::find(begin, end_, line_end_);
       cursor_ = stop == end_ ? end_ : stop + 1;
-      if (!read_exceptional({begin, static_cast<std::size_t>(stop - begin)})) return;
+      const std::string_view line(begin, static_cast<std::size_t>(stop - begin));
+      if (!read_or_leave_out(line, stop != end_)) return;
     }
     table_.lines[static_cast<std::size_t>(row_)] = line_;
     ++row_;
@@ -107,6 +123,21 @@ class RowReader {
     return true;
   }
 
+  /// A line that is read with all the exceptions; false when there is no sample in it.
+  /// @throws DataError where too many lines cannot be read, and for a doubtful comma.
+  bool read_or_leave_out(std::string_view line, bool has_end) {
+    try {
+      return read_exceptional(line);
+    } catch (const UnreadLine& error) {
+      constexpr std::size_t kShown = 40;  // for people
+      if (bad_.size() >= kMostBadLines) throw DataError(bad_.front().error);
+      const bool is_short = fields_.size() < layout_.columns();
+      bad_.push_back({kind_of_bad_line(line, has_end, is_short), line_,
+                      std::string(strip(line).substr(0, kShown)), error});
+      return false;
+    }
+  }
+
   /// A line with missing values, quotes, decimal commas; false when it is a comment or empty.
   /// @throws DataError for a ragged line or text.
   bool read_exceptional(std::string_view line) {
@@ -131,13 +162,10 @@ class RowReader {
   /// it is none of decimals; in quotes between commas it may be either.
   bool is_doubtful(std::string_view field) const {
     if (field.find(',') == std::string_view::npos) return false;
+    if (field.find('.') != std::string_view::npos) return false;  // groups show which is which
     const auto begin = fields_.begin() + static_cast<std::ptrdiff_t>(style_.first_own);
     const bool points = std::any_of(begin, fields_.end(), has_point);
     return style_.has_points || points || (style_.delimiter == ',' && may_be_thousands(field));
-  }
-
-  static bool has_point(std::string_view field) {
-    return field.find('.') != std::string_view::npos;
   }
 
   /// "1,001", not "0,001" or "1,01".
@@ -152,7 +180,7 @@ class RowReader {
 
   [[noreturn]] void fail_ragged() const {
     const std::size_t shared = std::min(fields_.size(), layout_.columns());
-    throw DataError(line_place() + ":" + std::to_string(shared + 1),
+    throw UnreadLine(line_place() + ":" + std::to_string(shared + 1),
                     "the line has " + std::to_string(fields_.size()) +
                         (fields_.size() == 1 ? " field" : " fields") + ", the others have " +
                         std::to_string(layout_.columns()),
@@ -164,8 +192,8 @@ class RowReader {
     constexpr std::size_t kShown = 40;  // for people
     const std::string shown(field.substr(0, kShown));
     const std::string& name = table_.columns[static_cast<std::size_t>(column)].name;
-    throw DataError(
-        line_place() + ":" + std::to_string(column + 1),
+    throw UnreadLine(
+        line_place() + ":" + std::to_string(style_.place_of(column) + 1),
         "'" + shown + "' in column '" + name + "' is not a number",
         "write a number, leave the field empty when the value is missing, or remove "
         "a column of text");
@@ -173,7 +201,7 @@ class RowReader {
 
   [[noreturn]] void fail_comma(std::string_view field, Index column) const {
     const std::string& name = table_.columns[static_cast<std::size_t>(column)].name;
-    throw DataError(line_place() + ":" + std::to_string(column + 1),
+    throw DataError(line_place() + ":" + std::to_string(style_.place_of(column) + 1),
                     "the comma of '" + std::string(field) + "' in column '" + name +
                         "' may be one of decimals or of thousands",
                     "write numbers with a decimal point and nothing between thousands");
@@ -189,20 +217,11 @@ class RowReader {
   Table& table_;
   Index columns_;
   std::size_t line_;
+  std::vector<BadLine>& bad_;
   Index row_ = 0;
   Index stride_ = 0;  ///< between the columns of the table
   std::vector<std::string_view> fields_;
 };
-
-void check_is_text(std::string_view text, const std::string& source) {
-  constexpr std::size_t kLooked = 4096;
-  const std::string_view mark = text.substr(0, 2);
-  if (mark == "\xFF\xFE" || mark == "\xFE\xFF")
-    throw DataError(source, "the text is encoded as UTF-16", "save it as UTF-8 or plain text");
-  if (text.substr(0, kLooked).find('\0') != std::string_view::npos)
-    throw DataError(source, "the file is binary, not text",
-                    "give delimited text (.csv, .txt, .gz) or NumPy's .npy");
-}
 
 std::size_t lines_in(const std::string& header) {
   return static_cast<std::size_t>(std::count(header.begin(), header.end(), '\n'));
@@ -228,14 +247,6 @@ Table columns_of(const TextFormat& format, const std::string& source) {
   return table;
 }
 
-/// So many lines, or all.
-std::string first_of(std::string_view lines, Index count, char line_end) {
-  std::size_t end = 0;
-  for (Index i = 0; i < count && end < lines.size(); ++i)
-    end = std::min(lines.find(line_end, end), lines.size() - 1) + 1;
-  return std::string(lines.substr(0, end));
-}
-
 /// Calls use(fields) for each of the first lines of numbers.
 template <class Use>
 void for_each_line(const TextFormat& format, const Use& use) {
@@ -256,14 +267,15 @@ NumberStyle style_of(const TextFormat& format, const TimeFinder& find, Table& ta
   NumberStyle style;
   style.delimiter = format.layout.delimiter;
   if (format.dialect) {
-    style.first_own = 1;
+    style.first_own = format.dialect->makes_first ? 1 : 0;
+    style.places = format.dialect->places;
     if (format.dialect->delimiter != '\0') style.delimiter = format.dialect->delimiter;
   }
   std::vector<Stamp> times;
   const auto time = find(table);
   for_each_line(format, [&](const std::vector<std::string_view>& fields) {
     for (std::size_t i = style.first_own; i < fields.size(); ++i)
-      style.has_points = style.has_points || fields[i].find('.') != std::string_view::npos;
+      style.has_points = style.has_points || has_point(fields[i]);
     if (!time || static_cast<std::size_t>(time->column) >= fields.size()) return;
     if (const auto stamp = read_stamp(fields[static_cast<std::size_t>(time->column)]))
       times.push_back(*stamp);
@@ -277,38 +289,6 @@ NumberStyle style_of(const TextFormat& format, const TimeFinder& find, Table& ta
 }
 
 }  // namespace
-
-std::string_view whole_lines(std::string_view text, char line_end) {
-  // A '\r' at the end may be half of a line end.
-  if (line_end == '\r' && text.ends_with('\r')) text.remove_suffix(1);
-  const std::size_t end = text.rfind(line_end);
-  return text.substr(0, end == std::string_view::npos ? 0 : end + 1);
-}
-
-std::optional<TextFormat> find_format(std::string_view begin, bool is_all,
-                                      const std::string& source) {
-  check_is_text(begin, source);
-  const bool is_short = is_all && begin.size() <= TextFormat::kBegin;
-  const std::string_view looked = begin.substr(0, TextFormat::kBegin);
-  TextFormat format{dialect_of(is_short ? begin : whole_lines(looked, '\n')), {}};
-  if (!is_all) begin = whole_lines(begin, line_end_of(begin));
-  std::string plain;
-  if (format.dialect) {
-    TextDialect dialect = *format.dialect;  // which begins anew when rows are read
-    plain = dialect.header + translated(dialect, begin, source);
-    begin = plain;
-  }
-  try {
-    format.layout = find_layout(begin, source);
-  } catch (const DataError&) {
-    if (is_all) throw;
-    return std::nullopt;
-  }
-  if (!is_all && !shows_layout(begin, format.layout)) return std::nullopt;
-  format.first_lines =
-      first_of(begin.substr(format.layout.data_begin), kFirstTimes, format.layout.line_end);
-  return format;
-}
 
 TextRows::TextRows(TextFormat format, const std::string& source, const TimeFinder& find)
     : format_(std::move(format)),
@@ -325,7 +305,18 @@ void TextRows::read(std::string_view lines, Table& table) {
     lines = plain;
   }
   lines.remove_prefix(std::exchange(skipped_, 0));
-  line_ = RowReader(lines, format_.layout, style_, line_, table).read();
+  line_ = RowReader(lines, format_.layout, style_, line_, table, bad_).read();
+  ends_.take(lines, table);
+  samples_ += table.lines.size();
+  if (!table.lines.empty()) last_sample_ = table.lines.back();
+}
+
+void TextRows::finish() {
+  std::vector<std::string> notes =
+      notes_of_damage(bad_, samples_, last_sample_, columns_.source);
+  std::vector<std::string> ends = ends_.notes(columns_);
+  std::move(notes.begin(), notes.end(), std::back_inserter(columns_.notes));
+  std::move(ends.begin(), ends.end(), std::back_inserter(columns_.notes));
 }
 
 }  // namespace lacuna

@@ -5,7 +5,10 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
+#include "data/logs/damage.hpp"
+#include "data/logs/range_ends.hpp"
 #include "data/times/counted_times.hpp"
 #include "dialects.hpp"
 #include "lacuna/data/records/table.hpp"
@@ -32,6 +35,12 @@ struct NumberStyle {
   bool has_points = false;    ///< decimal points, so that commas are none
   std::optional<Index> time;  ///< column of times that are counted from the first one
   Stamp origin = 0;           ///< that one
+  std::vector<std::size_t> places = {};  ///< of the columns in the file, from 0, if others
+
+  std::size_t place_of(Index column) const {
+    const auto index = static_cast<std::size_t>(column);
+    return index < places.size() ? places[index] : index;
+  }
 };
 
 /// The whole lines with which a text begins, up to its last line end.
@@ -61,9 +70,14 @@ class TextRows {
   /// that are there.
   /// @param lines whole ones, or the rest of the text; the first ones are those in which the
   ///   format was found.
-  /// @throws DataError naming source, line and column of a ragged line, of text in a column and
-  ///   of a comma that may stand for decimals or for thousands.
+  /// @throws DataError naming source, line and column of a comma that may stand for decimals or
+  ///   for thousands, and of a ragged line or text in a column where there are very many.
   void read(std::string_view lines, Table& table);
+
+  /// Notes in columns(), behind all lines, which lines were no samples.
+  /// @throws DataError naming the first line that cannot be read where there are too many
+  ///   (notes_of_damage()).
+  void finish();
 
  private:
   TextFormat format_;
@@ -71,6 +85,9 @@ class TextRows {
   std::size_t skipped_;  ///< bytes in front of the rows
   std::size_t line_;     ///< number of the next line in the file
   NumberStyle style_;
+  std::vector<BadLine> bad_ = {};
+  RangeEnds ends_ = {};
+  std::size_t samples_ = 0, last_sample_ = 0;  ///< lines read, number of the last one
 };
 
 /// parse_text_table() with a time that is counted where doubles do not hold it.

@@ -108,6 +108,7 @@ std::shared_ptr<const RecordFiles> open_records(const std::vector<std::string>& 
   for (const std::string& path : expand_patterns(paths)) {
     NpyFile file = open_rows(path, memory, context, time_finder(fixed));
     for (const auto& [name, column] : roles.names) rename_column(file.columns(), name, column);
+    name_in_order(file.columns(), fixed);
     const Table& first = all.files.empty() ? file.columns() : all.files[0]->file.columns();
     check_same_columns(first, file.columns());
     ColumnIndices columns = find_columns(file.columns(), fixed);

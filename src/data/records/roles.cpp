@@ -12,6 +12,7 @@
 #include "core/base/names.hpp"
 #include "core/base/text.hpp"
 #include "data/records/piece_name.hpp"
+#include "data/records/repeated_times.hpp"
 #include "data/records/split.hpp"
 #include "data/records/text_field.hpp"
 #include "data/times/time_names.hpp"
@@ -39,7 +40,13 @@ Index column_of(const Table& table, const std::string& name) {
   const std::vector<std::string> names = names_of(table);
   if (const auto column = find_name(names, name)) return *column;
   if (const auto column = find_name(table.headers, name)) return *column;
-  throw DataError(table.source, "there is no column '" + name + "'", suggestion(name, names));
+  const bool has_names = std::any_of(table.headers.begin(), table.headers.end(),
+                                     [](const std::string& header) { return !header.empty(); });
+  const std::string remedy =
+      has_names ? suggestion(name, names) + "; or name one so (--map " + name + "=COLUMN)"
+                : "its " + std::to_string(names.size()) + " columns have no names: name all in " +
+                      "their order, or single ones by their number (--map " + name + "=1)";
+  throw DataError(table.source, "there is no column '" + name + "'", remedy);
 }
 
 std::vector<Index> columns_of(const Table& table, const std::vector<std::string>& names) {
@@ -103,7 +110,7 @@ void find_time(const Table& table, const ColumnRoles& roles, ColumnIndices& colu
   while (*columns.time < count && contains(taken, *columns.time)) ++*columns.time;
   if (*columns.time == count)
     throw DataError(table.source, "every column has another role, none is left for the time",
-                    "name the time column or give the sampling step");
+                    "name the time column (--time NAME) or give the sampling step (--dt 0.01)");
 }
 
 /// Names of columns that count samples, not time.
@@ -159,8 +166,8 @@ void find_states(const Table& table, const ColumnRoles& roles, ColumnIndices& co
 void check_roles(const Table& table, const ColumnIndices& columns) {
   if (columns.states.empty())
     throw DataError(table.source, "there is no column for a state",
-                    "give a file with a time and at least one state, or the sampling step when "
-                    "it has no time");
+                    "give a file with a time and at least one state, or the sampling step "
+                    "(--dt 0.01) when it has no time");
   std::vector<Index> used = columns.used();
   std::sort(used.begin(), used.end());
   const auto twice = std::adjacent_find(used.begin(), used.end());
@@ -255,11 +262,13 @@ Trajectory take_record(const Table& table, const ColumnIndices& columns,
 
 Dataset assign_roles(const Table& given, const ColumnRoles& roles) {
   const ColumnIndices columns = find_columns(given, roles);
+  const std::optional<Table> once = without_repeated_times(given, columns);
+  const Table& distinct = once ? *once : given;
   std::optional<FilledTable> filled;
-  if (roles.blanks != Blanks::Cut) filled = fill_blanks(given, columns.states);
+  if (roles.blanks != Blanks::Cut) filled = fill_blanks(distinct, columns.states);
   std::optional<Table> common;
-  if (!filled) common = common_rows(given, columns.used());
-  const Table& table = filled ? filled->table : common ? *common : given;
+  if (!filled) common = common_rows(distinct, columns.used());
+  const Table& table = filled ? filled->table : common ? *common : distinct;
   Dataset data;
   data.notes = table.notes;
   append(data.notes, columns.notes);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "core/base/names.hpp"
 #include "core/base/text.hpp"
 #include "lacuna/core/base/error.hpp"
 
@@ -39,6 +40,41 @@ void check_same_columns(const Table& first, const Table& other) {
                   "its columns (" + join(found, ", ") + ") are not those of " + first.source +
                       " (" + join(expected, ", ") + ")",
                   "give files with the same columns, or read them apart");
+}
+
+namespace {
+
+/// Whether some column is called otherwise than by its number.
+bool has_names(const Table& table) {
+  for (std::size_t i = 0; i < table.columns.size(); ++i) {
+    const bool has_header = i < table.headers.size() && !table.headers[i].empty();
+    if (has_header || table.columns[i].name != "c" + std::to_string(i + 1)) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+void name_in_order(Table& table, const ColumnRoles& roles) {
+  std::vector<std::string> names;
+  if (roles.time) names.push_back(*roles.time);
+  for (const auto* more : {&roles.states, &roles.inputs, &roles.derivatives})
+    names.insert(names.end(), more->begin(), more->end());
+  const bool time_leads =
+      !roles.time && !roles.step && names.size() + 1 == table.columns.size();
+  if (has_names(table) || (names.size() != table.columns.size() && !time_leads)) return;
+  if (time_leads) names.insert(names.begin(), "t");
+  const auto is_usable = [&](const std::string& name) {
+    const bool is_column =
+        std::any_of(table.columns.begin(), table.columns.end(),
+                    [&](const Quantity& column) { return column.name == name; });
+    return !is_column && (name == "t" || !name_fault(name)) &&
+           std::count(names.begin(), names.end(), name) == 1;
+  };
+  if (!std::all_of(names.begin(), names.end(), is_usable)) return;
+  for (std::size_t i = 0; i < names.size(); ++i) table.columns[i].name = names[i];
+  table.notes.push_back(table.source + ": its columns have no names and are called " +
+                        join(names, ", ") + ", in this order");
 }
 
 ColumnRoles fixed_roles(const Table& first, const ColumnRoles& roles) {

@@ -10,6 +10,11 @@
 
 namespace lacuna {
 
+/// Gives columns without names those of roles, in their order (time where it is named, states,
+/// inputs, derivatives), where there are as many of both; one less where the first column is
+/// the time. Nothing where some name is that of a column already.
+void name_in_order(Table& table, const ColumnRoles& roles);
+
 /// @throws DataError when a file has other columns than the first one; their order may differ.
 void check_same_columns(const Table& first, const Table& other);
 

@@ -112,11 +112,13 @@ void check_numbers(const Rows& rows) {
 [[noreturn]] void fail_time(const Rows& rows, Index before, Index row) {
   const double now = rows.time(row), earlier = rows.time(before);
   const bool same = now == earlier;
-  std::string remedy = same ? "remove the repeated line"
+  std::string remedy = same ? "remove the repeated line, or give the step (--dt 0.01)"
                             : "sort the lines by time; number records that follow each other "
-                              "in a column and name it as the trajectory column";
+                              "in a column and name it (--trajectory NAME)";
   if (rows.columns.time_by_position)
-    remedy = "the first column was taken as the time: name the time column or give the step";
+    remedy =
+        "the first column was taken as the time: name the time column (--time NAME) or give the "
+        "step (--dt 0.01)";
   throw DataError(place(rows.table, row, *rows.columns.time),
                   "time in column '" + rows.name(*rows.columns.time) + "' " +
                       (same ? "stands still at " + format_number(now)

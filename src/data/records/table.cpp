@@ -12,6 +12,7 @@
 #include "core/base/names.hpp"
 #include "core/base/text.hpp"
 #include "core/base/utf8.hpp"
+#include "data/units/units.hpp"
 #include "lacuna/core/base/error.hpp"
 
 namespace lacuna {
@@ -51,6 +52,23 @@ std::optional<Quantity> split_brackets(std::string_view text, char open, char cl
   if (begin == std::string_view::npos) return std::nullopt;
   const std::string_view unit = text.substr(begin + 1, text.size() - begin - 2);
   return Quantity{std::string(trim(text.substr(0, begin))), std::string(trim(unit))};
+}
+
+/// What stands in parentheses at the end and is a remark, no unit: "(SEN S/N: 1234, LBL: Tank)".
+std::string_view without_remark(std::string_view text) {
+  const std::size_t open = text.rfind('(');
+  if (open == std::string_view::npos || open == 0 || text.back() != ')') return text;
+  const bool is_remark = text.substr(open).find(':') != std::string_view::npos;
+  return is_remark ? trim(text.substr(0, open)) : text;
+}
+
+/// "Temp, degC": a known unit behind a comma.
+std::optional<Quantity> split_comma(std::string_view text) {
+  const std::size_t comma = text.rfind(", ");
+  if (comma == std::string_view::npos || comma == 0) return std::nullopt;
+  const std::string_view unit = trim(text.substr(comma + 2));
+  if (!read_unit(unit)) return std::nullopt;
+  return Quantity{std::string(trim(text.substr(0, comma))), std::string(unit)};
 }
 
 /// "V(th)", "I(L1)", "Ic(Q1)" are names that circuit simulators give; "V(V)" and "I(mA)" a name
@@ -132,10 +150,11 @@ std::string to_identifier(std::string_view text) {
 }
 
 Quantity split_header(std::string_view text) {
-  text = trim(text);
+  text = without_remark(trim(text));
   if (const auto squared = split_brackets(text, '[', ']')) return *squared;
   if (is_probe(text)) return Quantity{std::string(text), ""};
   if (const auto round = split_brackets(text, '(', ')')) return *round;
+  if (const auto behind_comma = split_comma(text)) return *behind_comma;
   return Quantity{std::string(text), ""};
 }
 

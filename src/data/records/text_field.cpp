@@ -36,6 +36,30 @@ std::optional<double> decimal_comma_number(std::string_view field) {
   return parse_number(copy);
 }
 
+/// "1.200,5" and "1,200.5": groups of three digits in front of the last separator.
+std::optional<double> grouped_number(std::string_view field) {
+  constexpr std::size_t kGroup = 3;  // a fact of writing
+  const std::size_t first = field.find_first_of(".,"), last = field.find_last_of(".,");
+  if (first == std::string_view::npos || field[first] == field[last]) return std::nullopt;
+  if (field.find(field[last]) != last) return std::nullopt;
+  std::string plain(field.substr(0, first));
+  for (std::size_t at = first; at < last; at += kGroup + 1) {
+    if (field[at] != field[first] || last - at <= kGroup) return std::nullopt;
+    plain += field.substr(at + 1, kGroup);
+  }
+  if (plain.find_first_not_of("0123456789", plain.starts_with('-') ? 1 : 0) != std::string::npos)
+    return std::nullopt;
+  return parse_number(plain + "." + std::string(field.substr(last + 1)));
+}
+
+/// What oscilloscopes write where a signal is beyond their range.
+std::optional<double> infinite_sign(std::string_view field) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  if (field == "\u221e" || field == "+\u221e") return kInfinity;
+  if (field == "-\u221e") return -kInfinity;
+  return std::nullopt;
+}
+
 void split_blanks(std::string_view line, std::vector<std::string_view>& fields) {
   std::size_t begin = 0;
   while (begin < line.size()) {
@@ -73,6 +97,8 @@ TextField read_field(std::string_view field) {
   if (is_missing(field)) return {TextField::Kind::Missing, kNothing};
   if (const auto value = parse_number(field)) return {TextField::Kind::Number, *value};
   if (const auto value = decimal_comma_number(field)) return {TextField::Kind::Number, *value};
+  if (const auto value = grouped_number(field)) return {TextField::Kind::Number, *value};
+  if (const auto value = infinite_sign(field)) return {TextField::Kind::Number, *value};
   return {TextField::Kind::Text, kNothing};
 }
 

@@ -14,8 +14,8 @@ struct TextField {
   double value = 0.0;  ///< of a Number; NaN when missing
 };
 
-/// Reads one field: a number (a decimal comma is understood, quotes are ignored), a missing
-/// value (nothing, nan, na, n/a, null, none in either case) or text.
+/// Reads one field: a number (decimal commas, thousands beside them and the sign of infinity are
+/// known; quotes are ignored), a missing value (nothing, nan, na, n/a, null, none) or text.
 TextField read_field(std::string_view field);
 
 /// Cuts a line into trimmed fields, without their quotes. A delimiter inside quotes does not

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Times as clocks and calendars say them: "2026-11-22T10:00:00.5", "10:00:00.5".
+// Times as clocks and calendars say them: "2026-11-22T10:00:00.5", "10:00:00.5 PM".
 #include "clock_times.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cctype>
 #include <charconv>
 #include <utility>
-#include <vector>
 
-#include "data/formats/dialects.hpp"
 #include "data/records/text_field.hpp"
 
 namespace lacuna {
@@ -60,39 +60,110 @@ void add_date(int year, int month, int day, ClockTime& clock) {
     clock.day = days_of(year, month, day);
 }
 
-/// Takes "2026-11-22", "2026/11/22" or "22.11.2026" off the begin.
-bool take_date(std::string_view& text, ClockTime& clock) {
+/// The month of a name of three letters or more, in English or German; 0 where it is none.
+int month_called(std::string_view name) {
+  constexpr std::array<std::string_view, 12> kMonths{
+      "jan", "feb", "mar m\u00e4r mrz", "apr", "may mai", "jun",
+      "jul", "aug", "sep",              "oct okt", "nov",    "dec dez"};
+  constexpr std::size_t kLetters = 3;
+  const std::string word = lower_case(name.substr(0, kLetters));
+  if (name.size() < kLetters) return 0;
+  for (std::size_t i = 0; i < kMonths.size(); ++i)
+    if (kMonths[i].find(word) != std::string_view::npos) return static_cast<int>(i) + 1;
+  return 0;
+}
+
+/// Takes the letters off the begin.
+std::string_view take_letters(std::string_view& text) {
+  std::size_t count = 0;
+  while (count < text.size() && (std::isalpha(static_cast<unsigned char>(text[count])) != 0 ||
+                                 static_cast<unsigned char>(text[count]) >= 0x80U))
+    ++count;
+  const std::string_view letters = text.substr(0, count);
+  text.remove_prefix(count);
+  return letters;
+}
+
+/// A year of four digits or, of this century, of two.
+std::optional<int> take_year(std::string_view& text, bool may_be_short) {
   std::string_view rest = text;
-  const auto first = digits(rest, 1, 4);
-  if (!first || rest.empty()) return false;
-  const char separator = rest.front();
-  const bool german = separator == '.';
-  if (!german && separator != '-' && separator != '/') return false;
-  rest.remove_prefix(1);
-  const auto month = digits(rest, 1, 2);
-  if (!month || !take(rest, separator)) return false;
-  const auto last = german ? digits(rest, 4, 4) : digits(rest, 1, 2);
-  if (!last) return false;
-  const int year = german ? *last : *first, day = german ? *first : *last;
-  if (year < 1000) return false;
+  const auto year = digits(rest, 2, 4);
+  const std::size_t count = text.size() - rest.size();
+  if (!year || count == 3 || (count == 2 && !may_be_short)) return std::nullopt;
   text = rest;
-  add_date(year, *month, day, clock);
+  return count == 2 ? 2000 + *year : *year;
+}
+
+/// Takes "05-Dec-2023" or "5 Dec 2023" off the begin.
+bool take_named_date(std::string_view& text, ClockTime& clock) {
+  std::string_view rest = text;
+  const auto day = digits(rest, 1, 2);
+  if (!day || rest.empty()) return false;
+  const char separator = rest.front();
+  if (separator != '-' && separator != ' ' && separator != '/') return false;
+  rest.remove_prefix(1);
+  const int month = month_called(take_letters(rest));
+  if (month == 0 || !take(rest, separator)) return false;
+  const auto year = take_year(rest, true);
+  if (!year) return false;
+  text = rest;
+  add_date(*year, month, *day, clock);
   return true;
 }
 
-/// "Z", "UTC", "+02", "+0200" or "+02:00" to the end.
+/// Takes "2026-11-22", "2026/11/22", "22.11.2026", and in the given order "11/22/2026" off the
+/// begin. A year of two digits stands behind dots and slashes only.
+bool take_date(std::string_view& text, DateOrder order, ClockTime& clock) {
+  std::string_view rest = text;
+  const auto first = digits(rest, 1, 4);
+  if (!first || rest.empty()) return false;
+  const std::size_t width = text.size() - rest.size();
+  const char separator = rest.front();
+  if (separator != '-' && separator != '/' && separator != '.') return false;
+  rest.remove_prefix(1);
+  const auto second = digits(rest, 1, 2);
+  if (!second || !take(rest, separator)) return false;
+  const bool year_first = width == 4 && separator != '.';
+  if (!year_first && width > 2) return false;
+  const auto last = year_first ? digits(rest, 1, 2) : take_year(rest, separator != '-');
+  if (!last || (year_first ? *first : *last) < 1000) return false;
+  text = rest;
+  const bool days_lead = separator == '.' || order == DateOrder::DayFirst;
+  if (year_first)
+    add_date(*first, *second, *last, clock);
+  else
+    add_date(*last, days_lead ? *second : *first, days_lead ? *first : *second, clock);
+  return true;
+}
+
+/// Minutes east of UTC of zones by their names (those of Europe and North America, which no
+/// other zone in use there is called).
+std::optional<int> zone_called(const std::string& word) {
+  constexpr std::array<std::pair<std::string_view, int>, 18> kZones{
+      {{"z", 0},      {"utc", 0},     {"gmt", 0},     {"wet", 0},     {"west", 60},
+       {"cet", 60},   {"cest", 120},  {"mez", 60},    {"mesz", 120},  {"eet", 120},
+       {"eest", 180}, {"est", -300},  {"edt", -240},  {"mst", -420},  {"mdt", -360},
+       {"pst", -480}, {"pdt", -420},  {"jst", 540}}};
+  for (const auto& [name, minutes] : kZones)
+    if (word == name) return minutes;
+  return std::nullopt;
+}
+
+/// "Z", "UTC", "CET", "+02", "+0200", "+02:00" or "GMT+1" to the end.
 bool read_zone(std::string_view text, ClockTime& clock) {
   constexpr int kLargestZone = 14 * 60;  // of the world
   text = strip(text);
   if (text.empty()) return true;
   const std::string word = lower_case(text);
-  if (word == "z" || word == "utc" || word == "gmt") {
-    clock.zone = 0;
+  if (const auto zone = zone_called(word)) {
+    clock.zone = zone;
     return true;
   }
+  const bool named = word.starts_with("gmt") || word.starts_with("utc");
+  if (named) text.remove_prefix(3);
   const bool west = take(text, '-');
   if (!west && !take(text, '+')) return false;
-  const auto hours = digits(text, 2, 2);
+  const auto hours = digits(text, named ? 1 : 2, 2);
   take(text, ':');
   const auto minutes = text.empty() ? std::optional(0) : digits(text, 2, 2);
   if (!hours || !minutes || !text.empty()) return false;
@@ -100,6 +171,19 @@ bool read_zone(std::string_view text, ClockTime& clock) {
   if (zone > kLargestZone || *minutes > 59) clock.problem = "there is no such zone";
   clock.zone = west ? -zone : zone;
   return true;
+}
+
+/// Takes "AM", "p.m." off the begin: 0 or 12 hours to be added.
+std::optional<int> take_half_of_day(std::string_view& text) {
+  constexpr std::array<std::pair<std::string_view, int>, 4> kHalves{
+      {{"am", 0}, {"pm", 12}, {"a.m.", 0}, {"p.m.", 12}}};
+  const std::string lower = lower_case(strip(text));
+  for (const auto& [name, hours] : kHalves) {
+    if (!lower.starts_with(name)) continue;
+    text = strip(text).substr(name.size());
+    return hours;
+  }
+  return std::nullopt;
 }
 
 /// Takes "00.5" off the begin.
@@ -117,9 +201,26 @@ bool may_leap(int minutes_of_day, const std::optional<int>& zone) {
   return (minute + 2 * kMinutesOfDay) % kMinutesOfDay == kMinutesOfDay - 1;
 }
 
-/// Reads "10:00:00.5" or "10:00" to the end, with a zone behind it.
+/// Takes thousandths behind a colon ("10:00:00:250") off the begin.
+Stamp take_thousandths(std::string_view& text) {
+  constexpr std::size_t kDigits = 3;
+  std::string_view rest = text;
+  if (!take(rest, ':')) return 0;
+  const auto number = digits(rest, kDigits, kDigits);
+  if (!number) return 0;
+  text = rest;
+  return *number * (kStampOfOne / 1000);
+}
+
+/// Hours of the day of a clock that has twelve; 12 AM is midnight.
+int hours_of_day(int hours, int half, ClockTime& clock) {
+  if (hours < 1 || hours > 12) clock.problem = "a clock with AM and PM has hours 1 to 12";
+  return hours % 12 + half;
+}
+
+/// Reads "10:00:00.5", "10:00" or "10:00:00 PM" to the end, with a zone behind it.
 bool read_time_of_day(std::string_view text, ClockTime& clock) {
-  const auto hours = digits(text, 1, 2);
+  auto hours = digits(text, 1, 2);
   if (!hours || !take(text, ':')) return false;
   const auto minutes = digits(text, 2, 2);
   if (!minutes) return false;
@@ -127,12 +228,17 @@ bool read_time_of_day(std::string_view text, ClockTime& clock) {
   if (take(text, ':')) {
     const auto number = take_seconds(text);
     if (!number) return false;
-    seconds = *number;
+    seconds = *number + take_thousandths(text);
+  }
+  if (const auto half = take_half_of_day(text)) {
+    hours = hours_of_day(*hours, *half, clock);
+    clock.has_half = true;
   }
   if (!read_zone(text, clock)) return false;
   clock.has_time = true;
   clock.is_leap = seconds >= kMinute;
   clock.time = (60 * *hours + *minutes) * kMinute + seconds;
+  if (!clock.problem.empty()) return true;
   if (*hours > 24 || (*hours == 24 && clock.time > kDay))
     clock.problem = "a day ends at 24:00";
   else if (*minutes > 59)
@@ -148,10 +254,10 @@ bool read_time_of_day(std::string_view text, ClockTime& clock) {
 
 Stamp ClockTime::seconds() const { return day * kDay + time - zone.value_or(0) * kMinute; }
 
-std::optional<ClockTime> read_clock(std::string_view text) {
+std::optional<ClockTime> read_clock(std::string_view text, DateOrder order) {
   ClockTime clock;
   std::string_view rest = strip(text);
-  if (!take_date(rest, clock)) {
+  if (!take_date(rest, order, clock) && !take_named_date(rest, clock)) {
     if (!read_time_of_day(rest, clock)) return std::nullopt;
     return clock;
   }
@@ -161,186 +267,18 @@ std::optional<ClockTime> read_clock(std::string_view text) {
   return clock;
 }
 
-namespace dialects {
-namespace {
-
-using Fields = std::vector<std::string_view>;
-
-/// How a line of data begins: a clock in the first field, a date and a clock in two, a zone in
-/// a third.
-struct ClockLine {
-  char delimiter = ',';
-  std::size_t parts = 1;
-  std::size_t others = 0;  ///< fields behind them
-};
-
-std::string clock_text(const Fields& fields, std::size_t parts) {
-  std::string text(fields[0]);
-  for (std::size_t i = 1; i < parts && i < fields.size(); ++i)
-    text += " " + std::string(fields[i]);
-  return text;
-}
-
-bool is_data(const std::vector<std::string_view>& fields, std::size_t from) {
-  for (std::size_t i = from; i < fields.size(); ++i)
-    if (read_field(fields[i]).kind == TextField::Kind::Text) return false;
-  return fields.size() > from;
-}
-
-/// How many fields at the begin are a time: a date and a time in two, a zone behind them
-/// ("+0200", "UTC"; not "+02", which may be a number) in a third; 0 where there is none.
-std::size_t parts_of_clock(const Fields& fields) {
-  const auto first = read_clock(fields[0]);
-  if (!first || first->has_time) return first ? 1 : 0;
-  const auto both = fields.size() > 1 ? read_clock(clock_text(fields, 2)) : std::nullopt;
-  if (!both || both->zone) return both ? 2 : 0;
-  constexpr std::size_t kShortest = 3, kWithMinutes = 5;
-  const std::size_t size = fields.size() > 2 ? fields[2].size() : 0;
-  const bool may_be_zone = size >= kWithMinutes || (size == kShortest && fields[2][0] > '9');
-  const auto zoned = may_be_zone ? read_clock(clock_text(fields, 3)) : std::nullopt;
-  return zoned && zoned->zone && zoned->problem.empty() ? 3 : 2;
-}
-
-std::optional<ClockLine> clock_line(std::string_view line) {
-  for (const char delimiter : {',', ';', '\t', ' '}) {
-    if (line.find(delimiter) == std::string_view::npos) continue;
-    const Fields fields = fields_of(line, delimiter);
-    const std::size_t parts = fields.size() > 1 ? parts_of_clock(fields) : 0;
-    if (parts > 0 && is_data(fields, parts))
-      return ClockLine{delimiter, parts, fields.size() - parts};
+Stamp ElapsedTimes::operator()(const ClockTime& clock) {
+  const Stamp now = clock.seconds();
+  if (!first_) first_ = last_ = now;
+  if (!clock.has_day && now < last_ - kDay / 2) added_ += kDay;
+  last_ = now;
+  if (clock.is_leap)
+    leap_ends_ = now - (now % kStampOfOne + kStampOfOne) % kStampOfOne;
+  else if (leap_ends_ && now >= *leap_ends_) {
+    added_ += kStampOfOne;
+    leap_ends_.reset();
   }
-  return std::nullopt;
+  return now + added_ - *first_;
 }
 
-/// A zone in a field of its own is one in every line; else it is a number like "-1200".
-ClockLine checked(ClockLine kind, Lines lines) {
-  constexpr int kMostLooked = 60;
-  for (int i = 0; i < kMostLooked && kind.parts == 3; ++i) {
-    const auto line = lines.next();
-    if (!line) break;
-    const Fields fields = fields_of(*line, kind.delimiter);
-    if (fields.size() > 3 && parts_of_clock(fields) < 3)
-      return {kind.delimiter, 2, kind.others + 1};
-  }
-  return kind;
-}
-
-/// Numbers alone, several in the line.
-bool is_numbers(std::string_view line) {
-  for (const char delimiter : {',', ';', '\t', ' '}) {
-    const auto fields = fields_of(line, delimiter);
-    if (fields.size() > 1 && read_field(fields[0]).kind == TextField::Kind::Number &&
-        is_data(fields, 1))
-      return true;
-  }
-  return false;
-}
-
-/// Seconds since the first time. Midnight adds a day where there is no date; a leap second that
-/// is in the record is counted.
-class Elapsed {
- public:
-  Stamp operator()(const ClockTime& clock) {
-    const Stamp now = clock.seconds();
-    if (!first_) first_ = last_ = now;
-    if (!clock.has_day && now < last_ - kDay / 2) added_ += kDay;
-    last_ = now;
-    if (clock.is_leap)
-      leap_ends_ = now - (now % kStampOfOne + kStampOfOne) % kStampOfOne;
-    else if (leap_ends_ && now >= *leap_ends_) {
-      added_ += kStampOfOne;
-      leap_ends_.reset();
-    }
-    return now + added_ - *first_;
-  }
-
- private:
-  std::optional<Stamp> first_;
-  Stamp last_ = 0, added_ = 0;
-  std::optional<Stamp> leap_ends_;  ///< as the number of the second behind it
-};
-
-std::string header_of(std::string_view line, const ClockLine& kind) {
-  const Fields names = fields_of(line, kind.delimiter);
-  const std::size_t taken = names.size() > kind.others ? names.size() - kind.others : 1;
-  std::vector<std::string> heads{"t [s]"};
-  heads.insert(heads.end(), names.begin() + static_cast<std::ptrdiff_t>(taken), names.end());
-  return joined_line(heads);
-}
-
-std::string row_of(const Fields& fields, const ClockLine& kind, std::string time) {
-  std::vector<std::string> row{std::move(time)};
-  for (std::size_t i = kind.parts; i < fields.size(); ++i) row.emplace_back(fields[i]);
-  return joined_line(row);
-}
-
-/// Takes the lines of a log: some of a preamble, one of them the header, then samples.
-class ClockLog {
- public:
-  /// @param before lines in front of the first sample.
-  /// @param header which of them has the names, from 0; none where there are not so many.
-  ClockLog(ClockLine kind, std::size_t before, std::size_t header)
-      : kind_(kind), before_(before), header_(header) {}
-
-  void operator()(std::string_view line, std::string& text) {
-    if (line_++ < before_) {
-      text += line_ - 1 == header_ ? header_of(line, kind_) : "\n";
-      return;
-    }
-    const Fields fields = fields_of(line, kind_.delimiter);
-    const std::string_view content = strip(line);
-    if (content.empty() || content.front() == '#' || fields.size() <= kind_.parts) {
-      text.append(line) += '\n';  // the reader says what is wrong with it
-      return;
-    }
-    const std::string written = clock_text(fields, kind_.parts);
-    const auto clock = read_clock(written);
-    if (clock) check(*clock, written);
-    text += row_of(fields, kind_, clock ? stamp_text(elapsed_(*clock)) : written);
-  }
-
- private:
-  /// @throws LineProblem
-  void check(const ClockTime& clock, const std::string& written) {
-    const auto fail = [&](const std::string& problem, const std::string& remedy) {
-      throw LineProblem{line_, 1, "the time '" + written + "': " + problem, remedy};
-    };
-    if (!clock.problem.empty()) fail(clock.problem, "write a time that there is");
-    if (!usual_) usual_ = clock;
-    if (clock.has_day != usual_->has_day)
-      fail("it has " + std::string(clock.has_day ? "a" : "no") + " date, others have " +
-               (clock.has_day ? "none" : "one"),
-           "write all times with their date");
-    if (clock.zone.has_value() != usual_->zone.has_value())
-      fail("it has " + std::string(clock.zone ? "a" : "no") + " zone, others have " +
-               (clock.zone ? "none" : "one"),
-           "write all times with their zone, or none of them");
-  }
-
-  ClockLine kind_;
-  std::size_t before_, header_;
-  std::size_t line_ = 0;            ///< of the file, from 1
-  std::optional<ClockTime> usual_;  ///< the first one: all are written as it is
-  Elapsed elapsed_;
-};
-
-}  // namespace
-
-std::optional<TextDialect> clock_times(std::string_view begin) {
-  constexpr std::size_t kLooked = 60;  // lines of a preamble
-  Lines lines(begin);
-  std::size_t header = kLooked;
-  for (std::size_t i = 0; i < kLooked; ++i) {
-    const auto line = lines.next();
-    if (!line) return std::nullopt;
-    if (const auto kind = clock_line(*line))
-      return TextDialect{"times of a clock are seconds since the first one",
-                         ClockLog(checked(*kind, lines), i, header), "", "", kind->delimiter};
-    if (is_numbers(*line)) return std::nullopt;
-    if (!strip(*line).empty()) header = i;
-  }
-  return std::nullopt;
-}
-
-}  // namespace dialects
 }  // namespace lacuna

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "core/base/text.hpp"
+#include "data/records/same_columns.hpp"
 #include "lacuna/core/base/error.hpp"
 
 namespace lacuna {
@@ -71,6 +72,7 @@ TimeFinder time_finder(const ColumnRoles& roles) {
     try {
       Table called = columns;
       for (const auto& [name, column] : roles.names) rename_column(called, name, column);
+      name_in_order(called, roles);
       const ColumnIndices found = find_columns(called, roles);
       if (!found.time) return std::nullopt;
       return TimeColumn{*found.time, roles.time_unit || found.time_unit};

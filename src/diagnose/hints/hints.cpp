@@ -8,6 +8,7 @@
 #include "coefficient_pattern.hpp"
 #include "motion_hints.hpp"
 #include "slip_hints.hpp"
+#include "unit_hints.hpp"
 #include "unused_columns.hpp"
 
 namespace lacuna {
@@ -21,11 +22,17 @@ void append(std::vector<Hint>& hints, std::vector<Hint> more) {
 std::vector<Hint> other_causes(const OdeModel& model, const BoundRecords& records,
                                const Dataset& unused, const RateWindows& windows,
                                const HintOptions& options) {
+  std::vector<Hint> units = unit_hints(model, records, windows, options);
+  if (withheld_by(units) == Withheld::Answer) return units;
   auto slip = find_slip(model, records.data, windows, options);
   if (!slip) slip = slip_of_coefficients(model, records.data, windows, options);
-  if (slip) return {hint_of(model, *slip)};
+  if (slip) {
+    units.push_back(hint_of(model, *slip));
+    return units;
+  }
   std::vector<Hint> hints = identity_hints(model, records.data, windows, options);
-  if (hints.empty() && unused.input_count() > 0)
+  append(hints, std::move(units));
+  if (withheld_by(hints) == Withheld::Nothing && unused.input_count() > 0)
     append(hints, unused_column_hints(model, records, unused, windows, options));
   return hints;
 }

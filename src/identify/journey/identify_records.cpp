@@ -11,6 +11,7 @@
 #include "identify/validation/validate.hpp"
 #include "lower_terms.hpp"
 #include "records/binding/other_records.hpp"
+#include "records/channels/column_hints.hpp"
 
 namespace lacuna {
 namespace {
@@ -135,6 +136,8 @@ void warn_of_records(const IdentificationTask& task, IdentificationResult& found
                      const Dataset& data) {
   found.warnings.insert(found.warnings.begin(), data.notes.begin(), data.notes.end());
   if (found.model.is_map()) return;
+  for (const Hint& hint : column_hints(data))
+    found.warnings.push_back(hint.message + "; try " + hint.remedy);
   if (const auto hint = map_hint(data, task.options.map))
     found.warnings.push_back(hint->message + "; try " + hint->remedy);
 }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "data/records/text_field.hpp"
 #include "lacuna/core/base/error.hpp"
 
 namespace lacuna {
@@ -73,18 +74,47 @@ std::vector<std::string> as_states(const OdeModel& model, std::vector<std::strin
   return columns;
 }
 
+std::vector<Quantity> measured_quantities(const OdeModel& model) {
+  std::vector<Quantity> all = model.states();
+  for (Index k = 0; k < model.dimension(); ++k)
+    if (const auto alias = alias_of(model, k))
+      all.push_back({*alias, model.states()[static_cast<std::size_t>(k)].unit});
+  for (const Output& output : formula_outputs(model)) all.push_back({output.name, output.unit});
+  all.insert(all.end(), model.inputs().begin(), model.inputs().end());
+  return all;
+}
+
+namespace {
+
+/// "name a column so (--map u=Spannung)", with a column that the model does not know.
+std::string map_remedy(const OdeModel& model, const std::string& name,
+                       const std::vector<std::string>& columns) {
+  const std::vector<Quantity> known = measured_quantities(model);
+  const auto is_free = [&](const std::string& column) {
+    return lower_case(column) != "t" && lower_case(column) != "time" &&
+           std::none_of(known.begin(), known.end(),
+                        [&](const Quantity& one) { return one.name == column; });
+  };
+  const auto free = std::find_if(columns.begin(), columns.end(), is_free);
+  return "name a column so (--map " + name + "=" +
+         (free == columns.end() ? "COLUMN" : *free) + ")";
+}
+
+}  // namespace
+
 void check_columns(const OdeModel& model, const std::vector<std::string>& columns,
                    const std::string& source) {
   for (const Quantity& input : model.inputs())
     if (!contains(columns, input.name))
       throw DataError(source, "there is no column for the input '" + input.name + "'",
-                      "add the column");
+                      "add the column, or " + map_remedy(model, input.name, columns));
   bool any = false;
   for (const Output& output : formula_outputs(model)) {
     any = true;
     if (!contains(columns, output.name))
       throw DataError(source, "there is no column for the output '" + output.name + "'",
-                      "name a column so (--map), or take the output out of the model");
+                      map_remedy(model, output.name, columns) +
+                          ", or take the output out of the model");
   }
   for (Index k = 0; k < model.dimension(); ++k) {
     const std::string& state = model.states()[static_cast<std::size_t>(k)].name;
@@ -92,13 +122,14 @@ void check_columns(const OdeModel& model, const std::vector<std::string>& column
     any = any || contains(columns, state);
     if (alias && !contains(columns, state))
       throw DataError(source, "there is no column for the output '" + *alias + "'",
-                      "name a column so (--map), or '" + state + "'");
+                      map_remedy(model, *alias, columns) + ", or '" + state + "'");
   }
   if (!any)
     throw DataError(source,
                     "there is no column for the state '" + model.states().front().name +
                         "', nor for any other state or output",
-                    "name a column so (--map), or give the model outputs");
+                    map_remedy(model, model.states().front().name, columns) +
+                        ", or give the model outputs");
 }
 
 void check_states(const OdeModel& model, const std::vector<std::string>& columns,

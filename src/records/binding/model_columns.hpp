@@ -31,6 +31,10 @@ std::vector<Output> formula_outputs(const OdeModel& model);
 /// The names of columns with those of aliases replaced by the states that they measure.
 std::vector<std::string> as_states(const OdeModel& model, std::vector<std::string> columns);
 
+/// The quantities that columns may measure, with their units: states, under the names of their
+/// aliases too, formula outputs and inputs.
+std::vector<Quantity> measured_quantities(const OdeModel& model);
+
 /// Checks that every input and every formula output has a column, every alias or its state too,
 /// and that some state or output is measured.
 /// @param columns as of as_states(). @param source what has the columns, for the message.

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "data/units/in_units.hpp"
 #include "lacuna/core/base/error.hpp"
 #include "lacuna/data/records/marks.hpp"
 #include "lacuna/records/binding/embedding.hpp"
@@ -78,6 +79,20 @@ struct Wanted {
   std::vector<Quantity> states, inputs;
 };
 
+/// Gives quantities of a view the units that their columns have; what is made from others, or
+/// has no unit in the record, keeps that of the model.
+void keep_units(const Dataset& record, const std::vector<Index>& places,
+                std::vector<Quantity>& quantities) {
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const Index input = places[i] - record.state_count();
+    const bool is_state = input < 0 && record.is_measured(places[i]);
+    if (!is_state && (input < 0 || input >= record.input_count())) continue;
+    const Quantity& column = is_state ? record.states[static_cast<std::size_t>(places[i])]
+                                      : record.inputs[static_cast<std::size_t>(input)];
+    if (do_not_convert(column.unit, quantities[i].unit)) quantities[i].unit = column.unit;
+  }
+}
+
 /// The columns of given states and inputs; states without one are hidden.
 Dataset picked(const Dataset& record, const std::vector<std::string>& columns,
                const Wanted& wanted) {
@@ -99,6 +114,8 @@ Dataset picked(const Dataset& record, const std::vector<std::string>& columns,
     view.reconstructed.push_back(!is_there ||
                                  (place < record.state_count() && !record.is_measured(place)));
   }
+  keep_units(record, state_places, view.states);
+  keep_units(record, input_places, view.inputs);
   return view;
 }
 
@@ -151,8 +168,9 @@ Dataset model_view(const OdeModel& model, const Dataset& record,
   const std::vector<DerivativeChain> chains = derivative_chains(model, columns);
   check_columns(model, columns, source_of(record));
   const std::vector<Quantity> channels = channels_of(model);
+  const Dataset in_units = in_units_of(measured_quantities(model), record);
   const Dataset measured = in_time_unit_of(
-      model, picked(record, columns, {present(channels, columns), model.inputs()}));
+      model, picked(in_units, columns, {present(channels, columns), model.inputs()}));
   const Dataset all =
       chains.empty() ? measured : with_derivatives_of(measured, chains, differentiator);
   return picked(all, columns_of(model, all), {channels, model.inputs()});

@@ -7,6 +7,7 @@
 
 #include "data/records/check_record.hpp"
 #include "data/records/text_field.hpp"
+#include "data/units/in_units.hpp"
 #include "lacuna/data/formats/read.hpp"
 #include "model_columns.hpp"
 #include "records/binding/time_unit.hpp"
@@ -140,7 +141,9 @@ Dataset bound_tables(const OdeModel& model, const std::vector<Table>& tables,
 Dataset inputs_of(const OdeModel& model, const Table& table, const ColumnRoles& roles) {
   ColumnRoles as_states = roles;
   for (const Quantity& input : model.inputs()) as_states.states.push_back(input.name);
-  Dataset data = in_time_unit_of(model, assign_roles_for(model, table, as_states));
+  Dataset data = in_units_of(measured_quantities(model),
+                             assign_roles_for(model, table, as_states));
+  data = in_time_unit_of(model, std::move(data));
   std::swap(data.inputs, data.states);
   for (Trajectory& record : data.trajectories) {
     std::swap(record.inputs, record.states);

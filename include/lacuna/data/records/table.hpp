@@ -59,8 +59,8 @@ std::string place(const Table& table, Index row, Index column);
 /// "Ch 1" gives "Ch_1", "\u03c6" gives "phi", "2nd" gives "c_2nd".
 std::string to_identifier(std::string_view text);
 
-/// Takes a header text apart: the unit is what stands in square brackets or parentheses at its
-/// end; "x [V]" and "x (V)" give name "x", unit "V". The name is kept as written.
+/// Takes a header text apart: the unit is in brackets or parentheses at its end, or a known one
+/// behind a comma: "x [V]", "x (V)", "x, V"; a remark with a colon ("(S/N: 1)") is left out.
 Quantity split_header(std::string_view text);
 
 /// Gives a table its column names. A header that is no identifier or is a word of the

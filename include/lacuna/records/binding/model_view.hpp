@@ -28,8 +28,8 @@ Dataset model_view(const OdeModel& model, const Dataset& record);
 /// it and marked as reconstructed; q and all others are as smooth as the differentiator makes
 /// them then (see embed()). Other states without a column are hidden: 0, marked as
 /// reconstructed, with all samples marked as missing (see is_hidden()). Behind the m states
-/// there is one column for each output that is a formula (see measured_outputs()). Time is
-/// brought to the unit of the model (see in_time_unit_of()).
+/// there is one column for each output that is a formula (see measured_outputs()). Time and
+/// columns with units come to those of the model; what nothing converts is noted and stays.
 /// @throws DataError for an input or an output without a column and where nothing is measured,
 ///   and as embed() and in_time_unit_of().
 Dataset model_view(const OdeModel& model, const Dataset& record,

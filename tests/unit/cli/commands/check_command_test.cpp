@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "unit/cli/commands/records.hpp"
@@ -50,7 +51,43 @@ TEST(CheckCommand, SlipsOfUnitsAreHints) {
 TEST(CheckCommand, FilesThatAreNoRecordsAreNamed) {
   const Records records;
   const std::string book = records.folder().write("a.xlsx", "PK\x03\x04....xl/workbook.xml");
-  expect_failure(run_command({"check", book}), 2, {"Excel workbook", "save the sheet as .csv"});
+  expect_failure(run_command({"check", book}), 2,
+                 {"the archive is cut short", "the sheet as .csv"});
+  const std::string parquet = records.folder().write("a.parquet", "PAR1....");
+  expect_failure(run_command({"check", parquet}), 2, {"a Parquet file", "read_parquet"});
+}
+
+TEST(CheckCommand, UnitsComeToThoseOfTheModel) {
+  const Records records;
+  const std::string model = records.folder().write(
+      "m.ode", "time s\nstate x [V]\nstate y [V]\ndx/dt = y\ndy/dt = -x\n");
+  std::string known = "t [s],x [mV],y [V]\n", unknown = "t [s],x [LSB],y [V]\n";
+  for (int i = 0; i < 400; ++i) {
+    const double t = 0.05 * i;
+    const std::string rest = "," + std::to_string(std::cos(t)) + "\n";
+    known += std::to_string(t) + "," + std::to_string(1000.0 * std::sin(t)) + rest;
+    unknown += std::to_string(t) + "," + std::to_string(409.6 * std::sin(t)) + rest;
+  }
+  const auto same = run_command(
+      {"check", records.folder().write("known.csv", known), "--model", model});
+  EXPECT_THAT(same.out, HasSubstr("x is taken from mV to V (factor 0.001)"));
+  EXPECT_THAT(same.out, Not(HasSubstr("channel-unit")));
+  const auto other = run_command(
+      {"check", records.folder().write("unknown.csv", unknown), "--model", model});
+  EXPECT_THAT(other.out, HasSubstr("x is in LSB, wanted is V"));
+  EXPECT_THAT(other.out, HasSubstr("the records suggest that 1 LSB is 0.00244"));
+}
+
+TEST(CheckCommand, AColumnThatFollowsFromOthersIsNamed) {
+  const Records records;
+  std::string text = "t,x,y,Absolute\n";
+  for (int i = 0; i < 200; ++i) {
+    const double x = std::sin(0.1 * i), y = 1.0 + std::cos(0.17 * i);
+    text += std::to_string(0.1 * i) + "," + std::to_string(x) + "," + std::to_string(y) + "," +
+            std::to_string(std::hypot(x, y)) + "\n";
+  }
+  EXPECT_THAT(run_command({"check", records.folder().write("phone.csv", text)}).out,
+              HasSubstr("Absolute follows from x, y"));
 }
 
 TEST(CheckCommand, ADifferentiatorThatIsNotThereIsNamedThoughNoneIsNeeded) {

@@ -63,6 +63,20 @@ TEST(Matio, StructuresAreOpened) {
   expect_sine_and_cosine(table, 1, 2);
 }
 
+TEST(Matio, CellsAndArraysOfStructuresAreOpened) {
+  if (is_matio_absent()) return;
+  const Table table = read_table(kMatSamples / "cells_v6.mat");
+  ASSERT_EQ(table.columns.size(), 6u);
+  EXPECT_EQ(table.columns[0].name, "run1_t");
+  EXPECT_EQ(table.columns[3].name, "run2_speed");
+  EXPECT_EQ(table.columns[5].name, "log2_speed");
+  for (Index i = 0; i < 50; ++i) {
+    const auto n = static_cast<double>(i);
+    EXPECT_NEAR(table.values(i, 3), 2.0 * std::sin(0.1 * n), 1e-14) << i;
+    EXPECT_NEAR(table.values(i, 5), 4.0 * std::cos(0.1 * n), 1e-14) << i;
+  }
+}
+
 TEST(Matio, DamageIsTold) {
   if (is_matio_absent()) return;
   const testing::TemporaryFolder folder;

@@ -49,7 +49,7 @@ TEST(ReadTable, NamesFilesItCannotRead) {
   const std::string hdf = folder.write("a.h5", "\x89HDF\r\n\x1a\n");
   expect_error<DataError>([&] { read_table(hdf); }, hdf, "HDF5 file", ".csv");
   const std::string tdms = folder.write("a.tdms", "TDSm1234");
-  expect_error<DataError>([&] { read_table(tdms); }, tdms, "LabVIEW TDMS file", ".lvm");
+  expect_error<DataError>([&] { read_table(tdms); }, tdms, "LabVIEW TDMS file", "nptdms");
   expect_error<FileError>([&] { read_table(folder.file("b.csv")); }, folder.file("b.csv"),
                           "cannot be read", "check the name");
   const std::string empty = folder.write("empty.csv", "");
@@ -99,7 +99,7 @@ TEST(ReadDataset, RefusesOtherColumns) {
   const TemporaryFolder folder;
   const std::string a = folder.write("a.csv", kRun);
   const std::string b = folder.write("b.csv", "t,x\n0,1\n1,2\n");
-  const std::string c = folder.write("c.csv", "t [s],x [V],y [mV]\n0,1,2\n1,2,3\n");
+  const std::string c = folder.write("c.csv", "t [s],x [V],y [K]\n0,1,2\n1,2,3\n");
   const std::string d = folder.write("d.csv", "t [ms],x [V],y [V]\n0,1,2\n1,2,3\n");
   expect_error<DataError>(
       [&] {
@@ -110,12 +110,20 @@ TEST(ReadDataset, RefusesOtherColumns) {
       [&] {
         read_dataset({a, c});
       },
-      c, "the unit of 'y' is mV, in " + a, "same unit");
+      c, "the unit of 'y' is K, in " + a, "same unit");
   expect_error<DataError>(
       [&] {
         read_dataset({a, d});
       },
       d, "the unit of 'time' is ms", "same unit");
+}
+
+TEST(ReadDataset, UnitsComeToThoseOfTheFirstFile) {
+  const TemporaryFolder folder;
+  const Dataset data = read_dataset({folder.write("a.csv", "t [s],y [V]\n0,1\n1,2\n"),
+                                     folder.write("b.csv", "t [s],y [mV]\n0,1500\n1,2500\n")});
+  ASSERT_EQ(data.trajectories.size(), 2u);
+  EXPECT_EQ(data.trajectories[1].states(0, 0), 1.5);
 }
 
 TEST(ReadDataset, RefusesAPatternWithoutFiles) {

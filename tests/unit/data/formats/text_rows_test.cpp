@@ -28,6 +28,7 @@ Table rows_of(const std::vector<std::string>& blocks) {
     all.values.bottomRows(table.values.rows()) = table.values;
     all.lines.insert(all.lines.end(), table.lines.begin(), table.lines.end());
   }
+  rows.finish();
   return all;
 }
 
@@ -72,6 +73,7 @@ TEST(TextRows, LinesOfAFileCountWhereADialectHasPutNamesInFront) {
         Table table = rows.columns();
         rows.read("0 1 0 2\n1 1 1 2\n", table);
         rows.read("2 1 2 x\n", table);
+        rows.finish();
       },
       "a:3:3", "'x' in column 'c4'", "number");
 }

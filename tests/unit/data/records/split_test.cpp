@@ -135,7 +135,7 @@ TEST(Split, RefusesTimeThatGoesBackwards) {
   expect_error<DataError>([] { split("t,x\n0,1\n2,1\n1,1\n"); }, "a.csv:4:1",
                           "goes backwards, from 2 to 1", "sort the lines");
   expect_error<DataError>([] { split("t,x\n0,1\n2,1\n3,\n1,1\n2,1\n"); }, "a.csv:5:1",
-                          "goes backwards, from 3 to 1", "trajectory column");
+                          "goes backwards, from 3 to 1", "--trajectory NAME");
   expect_error<DataError>([] { split("x,y\n0,1\n2,1\n1,1\n"); }, "a.csv:4:1", "goes backwards",
                           "the first column was taken as the time");
 }

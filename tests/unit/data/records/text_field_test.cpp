@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 
 namespace lacuna {
 namespace {
@@ -35,8 +36,20 @@ TEST(ReadField, MissingValues) {
 }
 
 TEST(ReadField, Text) {
-  for (const char* text : {"abc", "1.5x", "1,2,3", "1.234,5", "12:30", "--", "0x10"})
+  for (const char* text : {"abc", "1.5x", "1,2,3", "1.23,4", "1.2345,6", "1.234,5,6", "12:30",
+                           "--", "0x10"})
     EXPECT_EQ(read_field(text).kind, Kind::Text) << text;
+}
+
+TEST(ReadField, GroupsOfThousandsBesideASeparatorOfDecimals) {
+  EXPECT_EQ(read_field("1.234,5").value, 1234.5);
+  EXPECT_EQ(read_field("-12,345,678.25").value, -12345678.25);
+  EXPECT_EQ(read_field("1.234.567,0").value, 1234567.0);
+}
+
+TEST(ReadField, TheSignOfInfinity) {
+  EXPECT_EQ(read_field("\u221e").value, std::numeric_limits<double>::infinity());
+  EXPECT_EQ(read_field("-\u221e").value, -std::numeric_limits<double>::infinity());
 }
 
 TEST(SplitFields, TrimsAndKeepsEmptyFields) {

@@ -49,16 +49,42 @@ TEST(ClockTimes, ZonesAreOneMoment) {
   for (const char* text :
        {"2026-11-22 11:30:00+01:00", "2026-11-22 12:30+0200", "2026-11-22T05:30-05",
         "2026-11-22 10:30:00 UTC", "2026-11-22T16:00:00+05:30", "2026-11-23T00:30:00 +1400",
-        "22.11.2026 10:30:00 GMT", "2026-11-21T22:30:00-12:00"})
+        "22.11.2026 10:30:00 GMT", "2026-11-22 11:30 CET", "2026-11-22 12:30 CEST",
+        "2026-11-22 12:30 GMT+2", "2026-11-22 05:30 EST", "2026-11-21T22:30:00-12:00"})
     EXPECT_EQ(read_clock(text)->seconds(), moment) << text;
   EXPECT_FALSE(read_clock("2026-11-22 10:30")->zone);
 }
 
 TEST(ClockTimes, OtherTextIsNone) {
   for (const char* text :
-       {"", "1.5", "12", "1-2", "2026-11-22x", "1.2.3", "12:30 pm", "a:b",
-        "2026-11-22 10:00 CET", "10:00+1", "10:00:00+01:00:00", "11/22/2026"})
+       {"", "1.5", "12", "1-2", "2026-11-22x", "1.2.3", "12:30 xm", "a:b", "05-12-23",
+        "2026-11-22 10:00 XYZ", "10:00+1", "10:00:00+01:00:00", "22-Foo-2026", "5/12/202"})
     EXPECT_FALSE(read_clock(text)) << text;
+}
+
+TEST(ClockTimes, DatesAreWrittenInManyWays) {
+  const auto day = read_clock("2026-11-05")->day;
+  for (const char* text : {"11/05/2026", "11/5/26", "5.11.26", "05-Nov-2026", "5 Nov 2026",
+                           "11-05-2026", "5/NOV/26"})
+    EXPECT_EQ(read_clock(text)->day, day) << text;
+  for (const char* text : {"05/11/2026", "5/11/26", "05-11-2026", "5.11.2026"})
+    EXPECT_EQ(read_clock(text, DateOrder::DayFirst)->day, day) << text;
+  EXPECT_EQ(read_clock("1 Mai 2026")->day, read_clock("2026-05-01")->day);
+}
+
+TEST(ClockTimes, HoursOfHalfDays) {
+  EXPECT_EQ(read_clock("12:30 AM")->time, 1800 * kSecond);
+  EXPECT_EQ(read_clock("12:30 pm")->time, (12 * 3600 + 1800) * kSecond);
+  EXPECT_EQ(read_clock("1:00:00.5 p.m.")->time, 13 * 3600 * kSecond + kSecond / 2);
+  EXPECT_EQ(read_clock("11/05/2026 11:00 PM CET")->seconds(),
+            read_clock("2026-11-05T22:00Z")->seconds());
+  for (const char* text : {"13:00 PM", "0:10 AM"})
+    EXPECT_FALSE(read_clock(text)->problem.empty()) << text;
+}
+
+TEST(ClockTimes, ThousandthsMayStandBehindAColon) {
+  EXPECT_EQ(read_clock("10:00:01:250")->time, 36001 * kSecond + kSecond / 4);
+  EXPECT_FALSE(read_clock("10:00:01:25")) << "that may be frames";
 }
 
 TEST(ClockTimes, TimesThatThereAreNotHaveAProblem) {

@@ -236,5 +236,25 @@ TEST(ModelView, RecordsInAnotherOrderAreNoView) {
   EXPECT_THROW(check_is_view(model, view), DataError);
 }
 
+TEST(ModelView, ColumnsComeToTheUnitsOfTheModel) {
+  const Dataset view = model_view(model_of("u"), record(), kDifferences);
+  EXPECT_NEAR(view.trajectories[0].states(0, 0), 3e-3, 1e-15) << "b, in V";
+  EXPECT_NEAR(view.trajectories[0].states(1, 1), 4e-3, 1e-15) << "a, in A";
+  EXPECT_EQ(view.states[0].unit, "V");
+  EXPECT_EQ(view.trajectories[0].inputs(1, 0), 10.0) << "a column without a unit";
+  EXPECT_THAT(view.notes, ::testing::Contains(::testing::HasSubstr(
+                              "b is taken from mV to V (factor 0.001)")));
+}
+
+TEST(ModelView, AUnitThatNothingConvertsStaysWithItsColumn) {
+  Dataset data = record();
+  data.states[0].unit = "counts";
+  const Dataset view = model_view(model_of("u"), data, kDifferences);
+  EXPECT_EQ(view.states[1].unit, "counts");
+  EXPECT_EQ(view.trajectories[0].states(1, 1), 4.0);
+  EXPECT_THAT(view.notes,
+              ::testing::Contains(::testing::HasSubstr("a is in counts, wanted is A")));
+}
+
 }  // namespace
 }  // namespace lacuna

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "zip_archive.hpp"
+
+namespace lacuna {
+
+/// sheet_text() of OpenDocument.
+std::string ods_text(const ZipArchive& archive, const std::optional<std::string>& sheet);
+
+}  // namespace lacuna

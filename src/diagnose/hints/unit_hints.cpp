@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: MIT
+#include "unit_hints.hpp"
+
+#include <cmath>
+#include <optional>
+#include <string>
+
+#include "core/base/text.hpp"
+#include "data/units/in_units.hpp"
+#include "slip_search.hpp"
+#include "slips.hpp"
+
+namespace lacuna {
+namespace {
+
+/// Mean over the equations that a correction changes of log(e_after / e_before); 0 where it
+/// changes none.
+double log_remainder_of(const Vector& before, const Vector& after) {
+  constexpr double kUntouched = 1e-9;  // relative difference of a misfit that was not touched
+  double sum = 0.0;
+  int touched = 0;
+  for (Index k = 0; k < before.size(); ++k) {
+    if (std::abs(after[k] - before[k]) <= kUntouched * before[k]) continue;
+    sum += 0.5 * std::log(after[k] / before[k]);
+    ++touched;
+  }
+  return touched > 0 ? sum / touched : 0.0;
+}
+
+/// A factor and how much it leaves of the misfit.
+struct SuggestedFactor {
+  double factor = 1.0;
+  double remainder = 1.0;  ///< of the misfit without it
+};
+
+/// The factor of a channel with the least misfit, on a grid of its logarithm that is made finer
+/// around the best one.
+SuggestedFactor suggested_factor(const OdeModel& model, const Dataset& data,
+                                 const RateWindows& windows, Index channel) {
+  // Units of one thing differ by less than a million; a step is a factor of 1.6, a well of the
+  // misfit is wider.
+  constexpr double kWidest = 14.0, kStep = 0.5, kFinest = 1e-4;
+  const auto misfit_of = [&](const Dataset& tried) {
+    return misfit(window_rates(tried, windows), model_rates(model, tried, windows));
+  };
+  const Vector before = misfit_of(data);
+  const auto at = [&](double log_factor) {
+    const Slip slip{HintKind::ChannelUnit, {channel}, std::exp(log_factor)};
+    return log_remainder_of(before, misfit_of(corrected(model, data, slip)));
+  };
+  double best = 0.0, least = 0.0;
+  const auto look_around = [&](double centre, double width, double step) {
+    for (double x = centre - width; x <= centre + width; x += step)
+      if (const double found = at(x); found < least) {
+        least = found;
+        best = x;
+      }
+  };
+  look_around(0.0, kWidest, kStep);
+  for (double step = kStep / 4.0; step > kFinest; step /= 4.0)
+    look_around(best, 4.0 * step, step);
+  return {std::exp(best), std::exp(least)};
+}
+
+Hint hint_for_unit(const Quantity& column, const std::string& wanted,
+                   const SuggestedFactor& found, const HintOptions& options) {
+  constexpr int kDigits = 4;  // more than a factor is known to
+  Hint hint{HintKind::ChannelUnit,
+            column.name + " is in " + column.unit + " in the records and in " + wanted +
+                " in the model, and nothing converts these",
+            "give the column in " + wanted + ", or the model the unit " + column.unit,
+            Withheld::Nothing};
+  if (!(found.remainder < options.slip_remainder)) {
+    hint.message += "; the records do not show a factor";
+    return hint;
+  }
+  hint.message += "; the records suggest that 1 " + column.unit + " is " +
+                  format_number(found.factor, kDigits) + " " + wanted;
+  hint.withheld = Withheld::Answer;
+  return hint;
+}
+
+}  // namespace
+
+std::vector<Hint> unit_hints(const OdeModel& model, const BoundRecords& records,
+                             const RateWindows& windows, const HintOptions& options) {
+  std::vector<Hint> hints;
+  const Dataset& data = records.data;
+  const auto look = [&](const std::vector<Quantity>& columns,
+                        const std::vector<Quantity>& wanted, Index first) {
+    for (std::size_t i = 0; i < wanted.size() && i < columns.size(); ++i)
+      if (do_not_convert(columns[i].unit, wanted[i].unit))
+        hints.push_back(hint_for_unit(
+            columns[i], wanted[i].unit,
+            suggested_factor(model, data, windows, first + static_cast<Index>(i)), options));
+  };
+  look(data.states, model.states(), 0);
+  look(data.inputs, model.inputs(), model.dimension());
+  return hints;
+}
+
+}  // namespace lacuna

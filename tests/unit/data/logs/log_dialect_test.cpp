@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: MIT
+// Files as loggers write them, read as tables.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "data/formats/read_text.hpp"
+#include "lacuna/core/base/error.hpp"
+#include "support/expect_error.hpp"
+
+namespace lacuna {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+
+Table table_of(const std::string& text) { return parse_text_table(text, "log.csv"); }
+
+/// Names with units: "x [V]".
+std::vector<std::string> columns_of(const Table& table) {
+  std::vector<std::string> names;
+  for (const Quantity& column : table.columns)
+    names.push_back(column.name + (column.unit.empty() ? "" : " [" + column.unit + "]"));
+  return names;
+}
+
+std::string notes_of(const Table& table) {
+  std::string all;
+  for (const std::string& note : table.notes) all += note + "\n";
+  return all;
+}
+
+TEST(LogDialect, Hobo) {
+  const Table table = table_of(
+      "\"Plot Title: 1020\"\n\"#\",\"Date Time, GMT+01:00\",\"Temp, \u00b0C (LGR S/N: 1020, SEN "
+      "S/N: 1020, LBL: Tank)\",\"RH, % (LGR S/N: 1020)\",\"Host Connected\"\n"
+      "1,05/12/23 11:58:00 AM,20.5,51.0,\n2,05/12/23 11:59:00 AM,20.6,51.5,\n"
+      "3,05/12/23 12:00:00 PM,20.8,52.0,\n4,05/12/23 01:00:00 PM,20.9,53.0,Logged\n");
+  EXPECT_THAT(columns_of(table), ElementsAre("t [s]", "Temp [\u00b0C]", "RH [%]"));
+  EXPECT_EQ(table.values.col(0), Eigen::Vector4d(0.0, 60.0, 120.0, 3720.0));
+  EXPECT_EQ(table.values.col(1), Eigen::Vector4d(20.5, 20.6, 20.8, 20.9));
+  EXPECT_THAT(notes_of(table), HasSubstr("column '#' is the number of the line and left out"));
+}
+
+TEST(LogDialect, ArduinoMonitor) {
+  const Table table =
+      table_of("23:59:59.512 -> 1.2,3\n23:59:59.712 -> 1.3,4\n00:00:00.012 -> 1.5,6\n");
+  EXPECT_THAT(columns_of(table), ElementsAre("t [s]", "c2", "c3"));
+  EXPECT_TRUE(table.values.col(0).isApprox(Eigen::Vector3d(0.0, 0.2, 0.5)));
+  EXPECT_EQ(table.values.col(2), Eigen::Vector3d(3.0, 4.0, 6.0));
+}
+
+TEST(LogDialect, LabelsInCells) {
+  for (const std::string text :
+       {"10:00:00 -> x:1.2,y:3\n10:00:01 -> x:1.3,y:4\n10:00:02 -> x:1.5,y:6\n",
+        "t:0,x:1.2,y:3\nt:1,x:1.3,y:4\nt:2,x:1.5,y:6\n",
+        "t: 0 x: 1.2 y: 3\nt: 1 x: 1.3 y: 4\nt: 2 x: 1.5 y: 6\n",
+        "{\"t\": 0, \"x\": 1.2, \"y\": 3}\n{\"t\": 1, \"x\": 1.3, \"y\": 4}\n"
+        "{\"t\": 2, \"x\": 1.5, \"y\": 6}\n"}) {
+    const Table table = table_of(text);
+    ASSERT_EQ(table.columns.size(), 3u) << text;
+    EXPECT_EQ(table.columns[0].name, "t") << text;
+    EXPECT_EQ(table.columns[1].name, "x") << text;
+    EXPECT_EQ(table.values.col(0), Eigen::Vector3d(0.0, 1.0, 2.0)) << text;
+    EXPECT_EQ(table.values.col(1), Eigen::Vector3d(1.2, 1.3, 1.5)) << text;
+  }
+}
+
+TEST(LogDialect, UnitsInCells) {
+  const Table table = table_of(
+      "Time,u,T\n0 sec,12.3 V,5 degC\n0.5 sec,900 mV,6 degC\n1 sec,12.5 V,7 degC\n");
+  EXPECT_THAT(columns_of(table), ElementsAre("Time [s]", "u [V]", "T [degC]"));
+  EXPECT_EQ(table.values.col(0), Eigen::Vector3d(0.0, 0.5, 1.0));
+  EXPECT_EQ(table.values.col(1), Eigen::Vector3d(12.3, 0.9, 12.5));
+}
+
+TEST(LogDialect, ATopicOfRos) {
+  const Table table = table_of(
+      "%time,field.header.frame_id,field.x\n1700000000000000000,base_link,1\n"
+      "1700000000020000000,base_link,2\n1700000000040000000,base_link,4\n");
+  EXPECT_THAT(columns_of(table), ElementsAre("time", "field_x"));
+  EXPECT_EQ(table.values.col(1), Eigen::Vector3d(1.0, 2.0, 4.0));
+  EXPECT_THAT(notes_of(table), HasSubstr("column 'field.header.frame_id' is text and left out"));
+}
+
+TEST(LogDialect, ChannelsWithTheirTimes) {
+  const Table table = table_of(
+      "Name\tx\tName\ty\nSampleTime[ms]\t10\tSampleTime[ms]\t10\n\n0\t1\t0\t2\n10\t3\t10\t4\n"
+      "20\t5\t20\t6\n");
+  EXPECT_THAT(columns_of(table), ElementsAre("Time [ms]", "x", "y"));
+  EXPECT_EQ(table.values.col(2), Eigen::Vector3d(2.0, 4.0, 6.0));
+  testing::expect_error<DataError>(
+      [] { table_of("Time;x;Time;y\n0;1;0;2\n1;3;2;4\n2;5;4;6\n"); }, "log.csv:1:3",
+      "both named 'Time'", "");
+}
+
+TEST(LogDialect, TimesOfManyProgramsInAnyColumn) {
+  for (const std::string line :
+       {"x,time\n4,2023-12-05 10:00:0# +01:00", "x,time\n4,05-Dec-2023 10:00:0#",
+        "x,time\n4,12/5/2023 10:00:0# PM", "x,time\n4,05.12.23 10:00:0#",
+        "x,mode,time\n4,on,10:00:0#", "x,time\n4,2023-12-05T10:00:0# CET",
+        "x,date,time\n4,2023-12-05,10:00:0#"}) {
+    const std::size_t end = line.find('\n') + 1;
+    std::string text = line.substr(0, end);
+    for (const char second : {'0', '1', '3'}) {
+      std::string row = line.substr(end);
+      row.replace(row.find('#'), 1, 1, second);
+      text += row + "\n";
+    }
+    const Table table = table_of(text);
+    EXPECT_THAT(columns_of(table), ElementsAre("t [s]", "x")) << text;
+    EXPECT_EQ(table.values.col(0), Eigen::Vector3d(0.0, 1.0, 3.0)) << text;
+  }
+}
+
+TEST(LogDialect, TheOrderOfDatesIsThatOfTheFile) {
+  const std::string rows = "10/5/2023,1\n11/5/2023,2\n12/5/2023,3\n";
+  EXPECT_EQ(table_of("date,x\n" + rows + "13/5/2023,4\n").values(3, 0), 3 * 86400.0);
+  EXPECT_EQ(table_of("date,x\n" + rows + "12/25/2023,4\n").values(3, 0), 81 * 86400.0)
+      << "5 October to 25 December";
+  EXPECT_THAT(notes_of(table_of("date,x\n5/12/2023 10:00,1\n5/12/2023 10:01,2\n")),
+              HasSubstr("dates are read as month/day/year"));
+}
+
+TEST(LogDialect, PlacesInMessagesAreThoseOfTheFile) {
+  std::string text = "a,t,b,x\n";
+  for (int i = 0; i < 30; ++i) text += "k," + std::to_string(i) + ",m,1\n";
+  testing::expect_error<DataError>([&] { table_of(text + "k,30,m,wet\n"); }, "log.csv:32:4",
+                                   "'wet' in column 'x'", "");
+  testing::expect_error<DataError>([&] { table_of(text + "k,30,m\n"); }, "log.csv:32:2", "1 field",
+                                   "");
+}
+
+}  // namespace
+}  // namespace lacuna
