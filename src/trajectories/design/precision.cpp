@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+#include "precision.hpp"
+
+#include <cmath>
+#include <limits>
+
+#include <Eigen/Eigenvalues>
+
+namespace lacuna {
+namespace {
+
+/// An eigenvalue below this fraction of the largest is rounding.
+constexpr double kRounding = 1e-12;
+
+/// The information on numbers in units of their sizes, with eigenvalues that are above 0.
+struct Scaled {
+  Vector eigenvalues;  ///< rising
+  Matrix vectors;
+  Index open = 0;  ///< directions of which nothing is known: the first ones
+};
+
+Scaled scaled(const Matrix& information, const Vector& size) {
+  const Matrix own = size.asDiagonal() * information * size.asDiagonal();
+  const Eigen::SelfAdjointEigenSolver<Matrix> solver(own);
+  Scaled result{solver.eigenvalues(), solver.eigenvectors()};
+  const double least = std::max(kRounding * result.eigenvalues[own.rows() - 1],
+                                std::numeric_limits<double>::min());
+  for (double& value : result.eigenvalues)
+    if (!(value > least)) {
+      value = least;
+      ++result.open;
+    }
+  return result;
+}
+
+Vector variances(const Scaled& scaled) {
+  return scaled.vectors.cwiseAbs2() * scaled.eigenvalues.cwiseInverse();
+}
+
+}  // namespace
+
+double precision_of(const Matrix& information, const Vector& size, PrecisionCriterion criterion,
+                    const std::vector<Index>& chosen) {
+  if (size.size() == 0) return 0.0;
+  const Scaled own = scaled(information, size);
+  const Vector& values = own.eigenvalues;
+  switch (criterion) {
+    case PrecisionCriterion::D:
+      return values.array().log().sum();
+    case PrecisionCriterion::A:
+      return -std::log(values.cwiseInverse().sum());
+    case PrecisionCriterion::E:
+      return std::log(values[0]);
+    case PrecisionCriterion::ModifiedE:
+      return std::log(values[0] / values[values.size() - 1]);
+    case PrecisionCriterion::Chosen:
+      break;
+  }
+  return -variances(own)(chosen).array().log().sum();
+}
+
+Vector standard_errors(const Matrix& information, const Vector& size) {
+  if (size.size() == 0) return {};
+  const Scaled own = scaled(information, size);
+  Vector errors = size.cwiseProduct(variances(own).cwiseSqrt());
+  // A number that takes part in an open direction is not determined; what rounding puts into
+  // such a direction is small.
+  constexpr double kPart = 1e-3;
+  for (Index p = 0; p < errors.size(); ++p)
+    if (own.open > 0 && own.vectors.row(p).head(own.open).norm() > kPart)
+      errors[p] = std::numeric_limits<double>::quiet_NaN();
+  return errors;
+}
+
+}  // namespace lacuna
