@@ -11,6 +11,10 @@
 #include "lacuna/bases/expressions.hpp"
 #include "lacuna/bases/fourier.hpp"
 #include "lacuna/bases/monomials.hpp"
+#include "lacuna/bases/orthogonal_polynomials.hpp"
+#include "lacuna/bases/piecewise_linear.hpp"
+#include "lacuna/bases/radial.hpp"
+#include "lacuna/bases/real_powers.hpp"
 #include "lacuna/cli/configuration/registry.hpp"
 #include "lacuna/data/derivatives/automatic_differentiator.hpp"
 #include "lacuna/data/derivatives/finite_differences.hpp"
@@ -59,6 +63,12 @@ void add_formulations(Registry& registry) {
   registry.add<Monomials>();
   registry.add<Expressions>();
   registry.add<Fourier>();
+  registry.add<Chebyshev>();
+  registry.add<Legendre>();
+  registry.add<Hermite>();
+  registry.add<PiecewiseLinear>();
+  registry.add<RadialFunctions>();
+  registry.add<RealPowers>();
   registry.add<FiniteDifferences>();
   registry.add<SavitzkyGolay>();
   registry.add<SmoothingSpline>();

@@ -90,8 +90,8 @@ Vector row_variances(const PenalisedFit& fit, const SparseRows& rows) {
       for (SparseRows::InnerIterator b(rows, i); b && b.col() <= a.col(); ++b) {
         const Index distance = a.col() - b.col();
         if (distance >= width) continue;
-        const double share = a.value() * b.value() * fit.inverse(distance, b.col());
-        variances[i] += distance == 0 ? share : 2.0 * share;
+        const double product = a.value() * b.value() * fit.inverse(distance, b.col());
+        variances[i] += distance == 0 ? product : 2.0 * product;
       }
   return variances;
 }

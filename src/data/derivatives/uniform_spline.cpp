@@ -20,9 +20,9 @@ Vector values_in_interval(double u, int degree) {
   for (int d = 1; d <= degree; ++d) {
     double saved = 0.0;
     for (int r = 0; r < d; ++r) {
-      const double share = values[r] / static_cast<double>(d);
-      values[r] = saved + (static_cast<double>(r + 1) - u) * share;
-      saved = (u + static_cast<double>(d - 1 - r)) * share;
+      const double part = values[r] / static_cast<double>(d);
+      values[r] = saved + (static_cast<double>(r + 1) - u) * part;
+      saved = (u + static_cast<double>(d - 1 - r)) * part;
     }
     values[d] = saved;
   }

@@ -22,8 +22,8 @@ struct AutomaticDifferentiatorOptions {
 };
 
 /// Chooses among the differentiators by a parametric bootstrap. Smooth pilots of the record
-/// (SmoothingSpline, KalmanSmoother) have known derivatives; each gets white noise of the size that is
-/// estimated in the record, and every differentiator, fitted anew, is measured by
+/// (SmoothingSpline, KalmanSmoother) have known derivatives; each gets white noise of the size
+/// that is estimated in the record, and every differentiator, fitted anew, is measured by
 ///
 ///   sum over pilots and states of log mean (rate - rate of the pilot)^2
 ///

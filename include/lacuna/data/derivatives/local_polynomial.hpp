@@ -31,9 +31,10 @@ struct LocalPolynomialOptions {
 /// K(u) = (1 - |u|^3)^3 (tricube), on any grid.
 ///
 /// Without a width each sample has its own: widths grow by a quarter from the narrowest that
-/// determines the polynomial to half the record or 512 samples, and the widest is taken whose interval, derivative +- 2 standard
-/// errors, still meets those of all narrower ones (intersection of confidence intervals): where
-/// the signal turns quickly it is narrow. The states of a record share it: the least of theirs.
+/// determines the polynomial to half the record or 512 samples, and the widest is taken whose
+/// interval, derivative +- 2 standard errors, still meets those of all narrower ones (intersection
+/// of confidence intervals): where the signal turns quickly it is narrow. All states of a record
+/// have the same width, the least of theirs.
 /// The noise is estimate_noise() of the samples; without noise all widths are the narrowest.
 class LocalPolynomial final : public Configured<Differentiator, LocalPolynomialOptions> {
  public:
