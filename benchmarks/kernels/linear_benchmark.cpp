@@ -11,7 +11,7 @@
 #include "core/base/random.hpp"
 #include "lacuna/regression/linear/least_squares_system.hpp"
 #include "lacuna/regression/linear/subproblem.hpp"
-#include "regression/formulations/sparse_cholesky.hpp"
+#include "core/numerics/sparse_cholesky.hpp"
 #include "regression/linear/gram.hpp"
 #include "regression/linear/row_fold.hpp"
 #include "regression/linear/tile_kernels.hpp"

@@ -56,6 +56,33 @@ TEST_P(EveryDifferentiator, RefusesTooFewSamplesAndShapesThatDoNotFit) {
   EXPECT_THROW(differentiate(uniform_grid(), Matrix(uniform_grid()), -1), ArgumentError);
 }
 
+TEST_P(EveryDifferentiator, GoesOnOverAGap) {
+  const Vector all = uniform_grid();
+  Vector time(91);
+  time << all.head(45), all.tail(46);
+  const Matrix rate = differentiate(time, time.array().sin().matrix());
+  EXPECT_LT((rate.array() - time.array().cos()).abs().maxCoeff(), 0.01);
+}
+
+TEST_P(EveryDifferentiator, StandardErrorsAreOfTheShapeAndOfTheSizeOfTheErrors) {
+  const Vector time = Vector::LinSpaced(300, 0.0, 6.0);
+  Random random(9);
+  Matrix values(300, 2);
+  values << time.array().sin().matrix(), time.array().cos().matrix();
+  for (Index i = 0; i < 300; ++i)
+    for (Index k = 0; k < 2; ++k) values(i, k) += 0.05 * random.normal();
+  const auto method = stage_of<Differentiator>(GetParam());
+  const auto errors = method->standard_error(time, values);
+  if (!errors) return;
+  ASSERT_EQ(errors->rows(), 300);
+  ASSERT_EQ(errors->cols(), 2);
+  EXPECT_GT(errors->minCoeff(), 0.0);
+  const Vector off = method->differentiate(time, values).col(0) - time.array().cos().matrix();
+  const double ratio = off.norm() / errors->col(0).norm();
+  EXPECT_GT(ratio, 0.2);
+  EXPECT_LT(ratio, 5.0);
+}
+
 INSTANTIATE_TEST_SUITE_P(Registry, EveryDifferentiator,
                          testing::ValuesIn(available(Differentiator::kKind)), test_name);
 

@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "cases.hpp"
 
-#include <cmath>
-
 #include "cli/configuration/variants.hpp"
-#include "core/base/random.hpp"
 #include "lacuna/bases/monomials.hpp"
 #include "lacuna/dynamics/integration/runge_kutta.hpp"
 #include "lacuna/dynamics/integration/simulate.hpp"
 #include "lacuna/dynamics/test_systems/test_systems.hpp"
+#include "lacuna/identify/bench/bench.hpp"
 #include "lacuna/trajectories/refiners/no_refiner.hpp"
 
 namespace lacuna::benchmarks {
@@ -31,15 +29,6 @@ std::vector<Named<Interface>> available(const Registry& registry) {
           {variant.label,
            Stage<Interface>(std::dynamic_pointer_cast<const Interface>(variant.stage))});
   return stages;
-}
-
-void add_noise(Matrix& values, double noise, Random& random) {
-  for (Index k = 0; k < values.cols(); ++k) {
-    const double mean = values.col(k).mean();
-    const double deviation = std::sqrt((values.col(k).array() - mean).square().mean());
-    for (Index i = 0; i < values.rows(); ++i)
-      values(i, k) += noise * deviation * random.normal();
-  }
 }
 
 }  // namespace
@@ -85,14 +74,10 @@ Dataset noisy_record(const Condition& condition, std::uint64_t seed) {
     model.evaluate(times[i], x.data(), nullptr, nullptr, rate.data());
     trajectory.derivatives.row(i) = rate;
   }
-  Random random(seed);
-  add_noise(trajectory.states, condition.noise, random);
-  add_noise(trajectory.derivatives, condition.noise, random);
-
   Dataset record;
   record.states = rossler.model.states();
   record.trajectories.push_back(std::move(trajectory));
-  return record;
+  return with_relative_noise(std::move(record), condition.noise, seed);
 }
 
 Dataset without_derivatives(Dataset record) {

@@ -3,7 +3,6 @@
 // exact, how far coefficients and synchronisation are off, how long it takes. Usage:
 // study_rossler [OUTPUT_FOLDER] [DERIVATIVE] [--cells FOLDER]   (default build/studies/rossler)
 // DERIVATIVE ("weak", "integral") leaves out all others.
-#include <chrono>
 #include <filesystem>
 #include <iostream>
 
@@ -11,10 +10,8 @@
 #include "core/base/text.hpp"
 #include "core/files/atomic_file.hpp"
 #include "lacuna/core/base/error.hpp"
-#include "lacuna/dynamics/integration/runge_kutta.hpp"
-#include "lacuna/dynamics/integration/synchroniser.hpp"
 #include "lacuna/dynamics/test_systems/test_systems.hpp"
-#include "lacuna/model/equations/compare_models.hpp"
+#include "lacuna/identify/bench/bench.hpp"
 #include "report.hpp"
 #include "support/settings.hpp"
 
@@ -23,18 +20,9 @@ namespace {
 
 /// One fit compared with the truth.
 Score score(const Composition& composition, const Dataset& noisy, const Dataset& clean) {
-  const auto start = std::chrono::steady_clock::now();
-  const IdentificationResult result = identify(noisy, composition.pipeline);
-  const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
-
-  Score score;
-  score.seconds = time.count();
-  const ModelAccuracy accuracy = compare_models(result.model, test_system("rossler").model);
-  score.exact_structure = accuracy.exact_structure;
-  score.coefficient_error = accuracy.largest_error;
-  const SyncResult sync = synchronise(result.model, clean, Rk4{});
-  if (sync.status == IntegrationStatus::Completed) score.sync = sync.relative;
-  return score;
+  const BenchScore found =
+      bench_score(composition.pipeline, noisy, clean, test_system("rossler").model);
+  return {*found.exact_structure, *found.coefficient_error, found.sync, found.seconds};
 }
 
 /// Records of one condition, one per draw, and the clean record they stem from.

@@ -34,6 +34,7 @@ struct Command {
 };
 
 Command declare_identify(CLI::App& root);
+Command declare_bench(CLI::App& root);
 Command declare_simulate(CLI::App& root);
 Command declare_fit(CLI::App& root);
 Command declare_plan(CLI::App& root);

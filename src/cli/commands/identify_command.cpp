@@ -161,10 +161,27 @@ Identification read_and_identify(const IdentifyRequest& options, const Identific
   return use(embed(data, orders, *differentiator_of(*task.pipeline.formulation)));
 }
 
+/// Which choices do not show in the result, as the refiner finds terms and coefficients anew from
+/// where they left off; empty where there is none.
+std::string overridden_choices(const IdentificationTask& task,
+                               const Configuration& configuration) {
+  const std::string refiner(task.pipeline.refiner->info().name);
+  std::vector<std::string> chosen;
+  for (const char* kind : {"filter", "regressor", "pruner"})
+    if (configuration.says(kind)) chosen.emplace_back(kind);
+  if (chosen.empty() || refiner == "none") return "";
+  return "the refiner `" + refiner +
+         "` chooses terms and coefficients anew, so that the choice of " +
+         join(chosen, ", ") +
+         " seldom shows in the model: --set refiner=none shows it, `lacuna bench` compares parts";
+}
+
 /// What is shown of an identification.
 IdentificationReport report_of(Identification& found, const IdentificationTask& task,
                                const Configuration& configuration) {
   IdentificationReport report{std::move(found.result), task.pipeline, configuration.text()};
+  if (std::string note = overridden_choices(task, configuration); !note.empty())
+    report.result.warnings.push_back(std::move(note));
   if (found.verification) {
     const Dataset& data = found.records.excerpt();
     report.sync = SyncReport{std::move(found.verification->result),

@@ -326,6 +326,10 @@ bool Configuration::says_pipeline() const {
                      [](const auto& item) { return !is_in(kRuleKeys, item.key()); });
 }
 
+bool Configuration::says(std::string_view key) const {
+  return document_->root.contains(std::string(key));
+}
+
 Pipeline Configuration::build(const Registry& registry) const {
   check_keys(document_->root);
   const Json root = with_differentiator_inside(document_->root);

@@ -11,9 +11,19 @@
 #include "lacuna/bases/expressions.hpp"
 #include "lacuna/bases/fourier.hpp"
 #include "lacuna/bases/monomials.hpp"
+#include "lacuna/bases/orthogonal_polynomials.hpp"
+#include "lacuna/bases/piecewise_linear.hpp"
+#include "lacuna/bases/radial.hpp"
+#include "lacuna/bases/real_powers.hpp"
 #include "lacuna/cli/configuration/registry.hpp"
+#include "lacuna/data/derivatives/automatic_differentiator.hpp"
 #include "lacuna/data/derivatives/finite_differences.hpp"
+#include "lacuna/data/derivatives/kalman.hpp"
+#include "lacuna/data/derivatives/local_polynomial.hpp"
 #include "lacuna/data/derivatives/savitzky_golay.hpp"
+#include "lacuna/data/derivatives/smoothing_spline.hpp"
+#include "lacuna/data/derivatives/spectral.hpp"
+#include "lacuna/data/derivatives/whittaker.hpp"
 #include "lacuna/dynamics/integration/cvode.hpp"
 #include "lacuna/dynamics/integration/runge_kutta.hpp"
 #include "lacuna/effects/families.hpp"
@@ -53,8 +63,20 @@ void add_formulations(Registry& registry) {
   registry.add<Monomials>();
   registry.add<Expressions>();
   registry.add<Fourier>();
+  registry.add<Chebyshev>();
+  registry.add<Legendre>();
+  registry.add<Hermite>();
+  registry.add<PiecewiseLinear>();
+  registry.add<RadialFunctions>();
+  registry.add<RealPowers>();
   registry.add<FiniteDifferences>();
   registry.add<SavitzkyGolay>();
+  registry.add<SmoothingSpline>();
+  registry.add<Whittaker>();
+  registry.add<KalmanSmoother>();
+  registry.add<LocalPolynomial>();
+  registry.add<Spectral>();
+  registry.add<AutomaticDifferentiator>();
   registry.add<StrongForm>({.differentiator = FiniteDifferences{}});
   registry.add<WeakForm>();
   registry.add<IntegralForm>();

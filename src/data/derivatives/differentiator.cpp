@@ -51,6 +51,13 @@ void check_values(const std::string& where, const Eigen::Ref<const Matrix>& valu
                         "cut the record there");
 }
 
+void check_samples_of(const std::string& where, const Vector& time,
+                      const Eigen::Ref<const Matrix>& values, int order) {
+  check_shapes(where, time, values, order);
+  check_time(where, time);
+  check_values(where, values);
+}
+
 /// Finds the first nested differentiator.
 class DifferentiatorFinder final : public IdleVisitor {
  public:
@@ -67,11 +74,15 @@ class DifferentiatorFinder final : public IdleVisitor {
 
 Matrix Differentiator::differentiate(const Vector& time, const Eigen::Ref<const Matrix>& values,
                                      int order) const {
-  const std::string where(info().name);
-  check_shapes(where, time, values, order);
-  check_time(where, time);
-  check_values(where, values);
+  check_samples_of(std::string(info().name), time, values, order);
   return do_differentiate(time, values, order);
+}
+
+std::optional<Matrix> Differentiator::standard_error(const Vector& time,
+                                                     const Eigen::Ref<const Matrix>& values,
+                                                     int order) const {
+  check_samples_of(std::string(info().name), time, values, order);
+  return do_standard_error(time, values, order);
 }
 
 Stage<Differentiator> fitted_to(const Stage<Differentiator>& method, const Dataset& data,

@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "data/derivatives/excerpt.hpp"
 #include "data/derivatives/stencil.hpp"
 #include "lacuna/core/statistics/interval.hpp"
 #include "lacuna/data/records/noise.hpp"
@@ -168,18 +169,6 @@ class OrderChoice {
   std::vector<Level> levels_;  ///< those that were asked for
 };
 
-/// The middle of the longest record: so many samples determine mean squares to two per cent.
-Dataset middle_of(const Dataset& data) {
-  const Trajectory& record = longest_record(data);
-  const Index count = std::min<Index>(record.samples(), 4096);
-  const Index first = (record.samples() - count) / 2;
-  Dataset part;
-  part.states = data.states;
-  part.trajectories = {rows_of(record, first, count)};
-  part.trajectories[0].inputs.resize(count, 0);
-  return part;
-}
-
 /// At least a quarter of the record is to lie inside of the longest stencil's two ends.
 int highest_order(const Dataset& part, int wanted) {
   const Index room = part.trajectories[0].samples() * 3 / 4;
@@ -211,11 +200,7 @@ Matrix FiniteDifferences::do_differentiate(const Vector& time,
                                            int order) const {
   if (order == 0) return values;
   if (options().order) return differences(time, values, *options().order, order);
-  Dataset data;
-  data.trajectories.push_back({"", time, values, Matrix(time.size(), 0), Matrix()});
-  for (Index k = 0; k < values.cols(); ++k)
-    data.states.push_back({"x" + std::to_string(k), ""});
-  return do_fit(data, std::nullopt)->differentiate(time, values, order);
+  return do_fit(dataset_of(time, values), std::nullopt)->differentiate(time, values, order);
 }
 
 std::shared_ptr<const Differentiator> FiniteDifferences::do_fit(

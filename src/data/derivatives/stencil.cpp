@@ -95,17 +95,6 @@ class FornbergTable {
   double previous_product_ = 1.0;
 };
 
-/// k-th derivatives of 1, s, s^2, ... at s.
-Vector power_derivatives(double s, int degree, int order) {
-  Vector result = Vector::Zero(degree + 1);
-  for (int p = order; p <= degree; ++p) {
-    double factor = std::pow(s, p - order);
-    for (int q = p - order + 1; q <= p; ++q) factor *= q;
-    result[p] = factor;
-  }
-  return result;
-}
-
 Vector finite_weights(Vector weights, const char* where) {
   check_argument(weights.allFinite(), where, "the weights are not finite",
                  "give nodes that are finite, distinct and not too near to each other");
@@ -135,6 +124,16 @@ std::optional<double> common_step(const Vector& time) {
       return std::nullopt;
   if (!(step > 0.0) || !std::isfinite(step)) return std::nullopt;
   return step;
+}
+
+Vector power_derivatives(double s, int degree, int order) {
+  Vector result = Vector::Zero(degree + 1);
+  for (int p = order; p <= degree; ++p) {
+    double factor = std::pow(s, p - order);
+    for (int q = p - order + 1; q <= p; ++q) factor *= q;
+    result[p] = factor;
+  }
+  return result;
 }
 
 Vector interpolation_weights(const Vector& nodes, double at, int order) {

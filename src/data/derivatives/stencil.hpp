@@ -34,6 +34,9 @@ Vector interpolation_weights(const Vector& nodes, double at, int order);
 ///   be finite.
 Vector fit_weights(const Vector& nodes, double at, int degree, int order);
 
+/// k-th derivatives of 1, s, s^2, ..., s^degree at s.
+Vector power_derivatives(double s, int degree, int order);
+
 /// A linear rule for a derivative from the samples near a point.
 struct StencilRule {
   std::string name;  ///< of the method, for messages

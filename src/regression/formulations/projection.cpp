@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/base/check.hpp"
-#include "sparse_cholesky.hpp"
+#include "core/numerics/sparse_cholesky.hpp"
 
 namespace lacuna {
 namespace {

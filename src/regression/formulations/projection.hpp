@@ -2,15 +2,11 @@
 // Numbers that are not finite make numbers that are not finite.
 #pragma once
 
-#include <Eigen/SparseCore>
-
+#include "core/numerics/sparse_cholesky.hpp"
 #include "lacuna/core/base/types.hpp"
 #include "lacuna/data/records/trajectory.hpp"
 
 namespace lacuna {
-
-/// A sparse matrix whose rows are read one after the other.
-using SparseRows = Eigen::SparseMatrix<double, Eigen::RowMajor, Index>;
 
 /// A smooth test function of compact support,
 ///   phi(t) = (1 - (t / radius)^2)^order for |t| < radius, else 0.

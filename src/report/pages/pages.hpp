@@ -3,6 +3,7 @@
 
 #include "lacuna/data/records/dataset.hpp"
 #include "lacuna/diagnose/journey/diagnosis.hpp"
+#include "lacuna/identify/bench/bench.hpp"
 #include "lacuna/report/pages/identification_report.hpp"
 #include "lacuna/report/pages/sync_report.hpp"
 #include "lacuna/trajectories/fit/fit.hpp"
@@ -25,5 +26,9 @@ Page sync_page(const SyncReport& report, const Dataset& data);
 
 /// A fit as a page: numbers with intervals, what is not determined, records beside free runs.
 Page fit_page(const Fit& fit);
+
+/// A comparison of parts as a page: a heat map of compositions by noise, all numbers, failures.
+/// @param subject what they were compared on: a file or a system.
+Page bench_page(const BenchResult& result, const std::string& subject);
 
 }  // namespace lacuna

@@ -25,6 +25,7 @@ std::string picture_style() {
 .picture .bar{fill:var(--soft);opacity:.55}.picture .bar.marked{fill:var(--model);opacity:1}
 .picture .whisker{stroke:var(--soft);stroke-width:1.6}.picture .dot{fill:var(--soft)}
 .picture .whisker.marked{stroke:var(--model)}.picture .dot.marked{fill:var(--model)}
+.picture .heat{fill:var(--model)}
 .picture .key{cursor:pointer}.picture .off{opacity:.15}
 )";
 }

@@ -69,6 +69,9 @@ class Configuration {
   /// Whether anything was asked for that makes the pipeline another than the default.
   bool says_pipeline() const;
 
+  /// Whether anything was asked for under a key: "regressor", "pruner".
+  bool says(std::string_view key) const;
+
   /// The pipeline. @throws ConfigError naming the JSON path: an unknown key or name (with the
   /// nearest known one), a value of the wrong type or out of range, a part that is unavailable.
   Pipeline build(const Registry& registry) const;

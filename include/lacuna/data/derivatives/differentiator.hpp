@@ -24,6 +24,13 @@ class Differentiator : public StageInterface {
   Matrix differentiate(const Vector& time, const Eigen::Ref<const Matrix>& values,
                        int order = 1) const;
 
+  /// Standard error of each entry of differentiate() of the same arguments, from the noise that
+  /// the method finds in the values or their estimated noise; nothing where it has none.
+  /// @throws DataError and ArgumentError as differentiate().
+  std::optional<Matrix> standard_error(const Vector& time,
+                                       const Eigen::Ref<const Matrix>& values,
+                                       int order = 1) const;
+
   /// Samples at either end of a record at which the first derivative is one-sided: it has many
   /// times the noise and the truncation error of the others there.
   Index margin() const { return do_margin(); }
@@ -44,6 +51,11 @@ class Differentiator : public StageInterface {
 
   virtual Matrix do_differentiate(const Vector& time, const Eigen::Ref<const Matrix>& values,
                                   int order) const = 0;
+
+  virtual std::optional<Matrix> do_standard_error(const Vector&, const Eigen::Ref<const Matrix>&,
+                                                  int) const {
+    return std::nullopt;
+  }
 
   virtual Index do_margin() const { return 0; }
 

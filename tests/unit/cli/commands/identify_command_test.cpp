@@ -362,5 +362,16 @@ TEST(IdentifyCommand, PiecesHaveLimits) {
   EXPECT_THAT(refused({"--memory", "3MX"}), HasSubstr("not a size"));
 }
 
+TEST(IdentifyCommand, ReportsThatTheRefinerOverridesAChoice) {
+  const Records records;
+  const std::vector<std::string> chosen{"identify", records.rossler(), "--degree", "2", "--set",
+                                        "regressor=stlsq"};
+  const auto refined = run_command(chosen);
+  EXPECT_THAT(refined.out, HasSubstr("the choice of regressor seldom shows in the model"));
+  auto alone = chosen;
+  alone.insert(alone.end(), {"--set", "refiner=none"});
+  EXPECT_THAT(run_command(alone).out, Not(HasSubstr("seldom shows")));
+}
+
 }  // namespace
 }  // namespace lacuna

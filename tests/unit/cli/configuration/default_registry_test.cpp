@@ -15,9 +15,12 @@ void expect_names(const std::string& kind, const std::vector<std::string>& expec
 }
 
 TEST(DefaultRegistry, HasThePartsOfTheFirstShelf) {
-  expect_names("basis", {"monomials", "expressions"});
+  expect_names("basis", {"monomials", "expressions", "chebyshev", "legendre", "hermite", "radial",
+                         "piecewise-linear", "real-powers"});
   expect_names("formulation", {"strong"});
-  expect_names("differentiator", {"finite-differences", "savitzky-golay"});
+  expect_names("differentiator",
+               {"finite-differences", "savitzky-golay", "smoothing-spline", "whittaker", "kalman",
+                "local-polynomial", "spectral", "auto"});
   expect_names("filter", {"abm", "svd", "none"});
   expect_names("regressor", {"ols", "irls", "irls-l1", "stlsq"});
   expect_names("l1-solver", {"coordinate-descent", "ceres", "nlopt"});

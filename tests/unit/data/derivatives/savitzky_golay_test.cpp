@@ -90,11 +90,27 @@ TEST(SavitzkyGolay, DegreeLimitsTheDerivative) {
 
 TEST(SavitzkyGolay, TooFewSamplesSayHowMany) {
   try {
-    SavitzkyGolay{}.differentiate(uniform_grid(20, 1.0), Matrix::Zero(20, 1));
+    SavitzkyGolay{{.window = 21}}.differentiate(uniform_grid(20, 1.0), Matrix::Zero(20, 1));
     FAIL();
   } catch (const DataError& error) {
     EXPECT_NE(error.problem().find("at least 21 samples and has 20"), std::string::npos);
   }
+}
+
+TEST(SavitzkyGolay, WindowFollowsFromTheRecord) {
+  const auto window_for = [](double noise, double length) {
+    Random random(5);
+    const Vector time = uniform_grid(500, length);
+    Vector y = time.array().sin();
+    for (Index i = 0; i < y.size(); ++i) y[i] += noise * random.normal();
+    Dataset data;
+    data.states = {{"x", ""}};
+    data.trajectories.push_back({"", time, y, Matrix(500, 0), Matrix()});
+    const auto fitted = fitted_to(Stage<Differentiator>(SavitzkyGolay{}), data);
+    return *dynamic_cast<const SavitzkyGolay&>(*fitted).options().window;
+  };
+  EXPECT_GT(window_for(0.1, 20.0), 2 * window_for(1e-4, 20.0));
+  EXPECT_GT(window_for(0.1, 10.0), window_for(0.1, 60.0));
 }
 
 }  // namespace

@@ -4,7 +4,7 @@
 #include <memory>
 
 #include "lacuna/core/base/error.hpp"
-#include "sparse_cholesky.hpp"
+#include "core/numerics/sparse_cholesky.hpp"
 
 namespace lacuna {
 namespace {

@@ -3,7 +3,7 @@
 #include <Eigen/SparseCholesky>
 
 #include "lacuna/core/base/error.hpp"
-#include "sparse_cholesky.hpp"
+#include "core/numerics/sparse_cholesky.hpp"
 
 namespace lacuna {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "regression/formulations/sparse_cholesky.hpp"
+#include "core/numerics/sparse_cholesky.hpp"
 
 #include <gtest/gtest.h>
 
@@ -26,6 +26,20 @@ TEST(SparseCholesky, IsTheDenseFactorAndKeepsTheBand) {
   const Matrix expected = dense.llt().matrixL();
   EXPECT_LT((Matrix(lower) - expected).norm(), 1e-12 * expected.norm());
   EXPECT_EQ(lower.nonZeros(), kSize * (kBand + 1) - kBand * (kBand + 1) / 2);
+}
+
+TEST(SparseCholesky, SolvesAndInvertsAsTheDenseMatrixDoes) {
+  constexpr Index kSize = 40;
+  const Matrix dense = banded(kSize, 3);
+  const SparseRows lower = sparse_cholesky(dense.sparseView());
+  const Matrix right = Matrix::Identity(kSize, 2);
+  const Matrix inverse = dense.inverse();
+  EXPECT_LT((solve_by_factor(lower, right) - inverse.leftCols(2)).norm(), 1e-10 * inverse.norm());
+  const Matrix band = inverse_band(lower);
+  ASSERT_EQ(band.rows(), 4);
+  for (Index d = 0; d < 4; ++d)
+    for (Index j = 0; j + d < kSize; ++j)
+      EXPECT_NEAR(band(d, j), inverse(j + d, j), 1e-10 * inverse.norm());
 }
 
 TEST(SparseCholesky, RefusesWhatIsNotPositiveDefinite) {

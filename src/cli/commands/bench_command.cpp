@@ -1,0 +1,278 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+#include <set>
+
+#include "cli/configuration/variants.hpp"
+#include "command.hpp"
+#include "core/base/text.hpp"
+#include "core/base/utf8.hpp"
+#include "data_options.hpp"
+#include "lacuna/cli/configuration/configuration.hpp"
+#include "lacuna/data/derivatives/differentiator.hpp"
+#include "lacuna/dynamics/integration/runge_kutta.hpp"
+#include "lacuna/dynamics/integration/simulate.hpp"
+#include "lacuna/dynamics/test_systems/test_systems.hpp"
+#include "lacuna/report/pages/bench_report.hpp"
+#include "report/pages/pages.hpp"
+#include "report_options.hpp"
+
+namespace lacuna::cli {
+namespace {
+
+struct BenchArguments {
+  DataOptions data;
+  std::vector<std::string> parts, assignments;
+  std::string noise = "0";
+  std::optional<std::string> preset, config, csv;
+  std::optional<int> degree;
+  int draws = 1, samples = 2000;
+  RunOptions run;
+  ReportOptions report;
+};
+
+/// One option --parts: what differs and the values it has.
+struct Alternatives {
+  std::string kind;
+  std::vector<std::string> values;
+};
+
+/// Variants of a part by their names with those of the parts inside, "irls-l1[ceres]".
+std::vector<std::string> available_labels(const Registry& registry, const std::string& kind) {
+  std::vector<std::string> labels;
+  for (const StageVariant& variant : variants(registry, kind))
+    if (variant.unavailable.empty()) labels.push_back(variant.label);
+  return labels;
+}
+
+/// "KIND=a,b" or "KIND=all".
+Alternatives alternatives_of(const Registry& registry, const std::string& text) {
+  const std::size_t sign = text.find('=');
+  if (sign == std::string::npos || sign == 0 || sign + 1 == text.size())
+    throw ConfigError("--parts " + text, "it is not KIND=a,b",
+                      "write e.g. --parts regressor=ols,irls,stlsq or --parts filter=all");
+  Alternatives result{text.substr(0, sign), split_list(text.substr(sign + 1))};
+  if (result.values == std::vector<std::string>{"all"})
+    result.values = available_labels(registry, result.kind);
+  std::set<std::string> seen;
+  for (const std::string& value : result.values)
+    if (value.empty() || !seen.insert(value).second)
+      throw ConfigError("--parts " + text, "a value is empty or stands twice",
+                        "give each value once, with commas between them");
+  return result;
+}
+
+std::vector<Alternatives> all_alternatives(const Registry& registry,
+                                           const std::vector<std::string>& texts) {
+  std::vector<Alternatives> all;
+  for (const std::string& text : texts) {
+    all.push_back(alternatives_of(registry, text));
+    for (std::size_t i = 0; i + 1 < all.size(); ++i)
+      if (all[i].kind == all.back().kind)
+        throw ConfigError("--parts", "'" + all[i].kind + "' is given twice",
+                          "give all its values in one option");
+  }
+  return all;
+}
+
+/// Keys of the stages inside a part, in order.
+class StageKeys final : public IdleVisitor {
+ public:
+  std::vector<std::string> names;
+
+ protected:
+  void nested_stage(const FieldInfo& info, std::string_view,
+                    std::shared_ptr<const StageInterface>&) override {
+    names.emplace_back(info.name);
+  }
+};
+
+/// The value of a part in a configuration: its name, or for "irls-l1[ceres]" the stage inside too.
+void set_value(Configuration& configuration, const Registry& registry, const std::string& kind,
+               const std::string& value) {
+  const std::size_t open = value.find('[');
+  if (open == std::string::npos || value.back() != ']') {
+    configuration.set(kind + "=" + value);
+    return;
+  }
+  const std::string name = value.substr(0, open);
+  const std::string inner = value.substr(open + 1, value.size() - open - 2);
+  StageKeys keys;
+  registry.find(kind, name).make(keys);
+  const std::vector<std::string> parts = split_list(inner);
+  if (parts.size() != keys.names.size())
+    throw ConfigError("--parts " + kind + "=" + value, "the part has other stages inside",
+                      "see `lacuna describe " + name + "`");
+  configuration.set(kind + "=" + name);
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    configuration.set(kind + "." + keys.names[i] + "=" + parts[i]);
+}
+
+/// Whether "PATH=VALUE" is of the refiner.
+bool names_refiner(const std::string& text) {
+  return text.rfind("refiner.", 0) == 0 || text.rfind("refiner=", 0) == 0;
+}
+
+/// Whether the refiner is among what differs or what all have.
+bool asks_for_refiner(const BenchArguments& options) {
+  return std::any_of(options.parts.begin(), options.parts.end(), names_refiner) ||
+         std::any_of(options.assignments.begin(), options.assignments.end(), names_refiner);
+}
+
+Configuration base_configuration(const BenchArguments& options) {
+  Configuration configuration;
+  if (options.config) configuration.merge_file(*options.config);
+  if (options.preset) configuration.set_preset(*options.preset);
+  // What a refiner finds does not depend on most parts; it is compared where it is asked for.
+  if (!configuration.says("refiner") && !asks_for_refiner(options))
+    configuration.set("refiner=none");
+  if (options.degree) configuration.set_degree(*options.degree);
+  for (const std::string& assignment : options.assignments) configuration.set(assignment);
+  return configuration;
+}
+
+/// Every combination of the alternatives, the last one varying fastest.
+std::vector<BenchComposition> compositions_of(const Registry& registry,
+                                              const BenchArguments& options,
+                                              const std::vector<Alternatives>& alternatives) {
+  std::vector<std::vector<std::string>> chosen{{}};
+  for (const Alternatives& one : alternatives) {
+    std::vector<std::vector<std::string>> longer;
+    for (const auto& beginning : chosen)
+      for (const std::string& value : one.values) {
+        longer.push_back(beginning);
+        longer.back().push_back(value);
+      }
+    chosen = std::move(longer);
+  }
+  std::vector<BenchComposition> compositions;
+  for (auto& values : chosen) {
+    Configuration configuration = base_configuration(options);
+    for (std::size_t i = 0; i < values.size(); ++i)
+      set_value(configuration, registry, alternatives[i].kind, values[i]);
+    compositions.push_back({std::move(values), configuration.build(registry)});
+  }
+  return compositions;
+}
+
+/// Percent as fractions. @throws ConfigError for what is no list of numbers from 0 on.
+std::vector<double> noise_levels(const std::string& text) {
+  std::vector<double> levels;
+  for (const std::string& part : split_list(text)) {
+    const std::optional<double> value = parse_number(part);
+    if (!value || !(*value >= 0.0) || *value > 1e6)
+      throw ConfigError("--noise " + text, "'" + part + "' is no percentage",
+                        "write e.g. --noise 0,0.1,1 (percent of each state's deviation)");
+    levels.push_back(*value / 100.0);
+  }
+  return levels;
+}
+
+/// What is identified, and what it is called.
+struct Subject {
+  std::string name;
+  Dataset data;
+  std::optional<OdeModel> truth = {};
+};
+
+Subject simulated(const TestSystem& system, const BenchArguments& options) {
+  const double step = options.data.step.value_or(system.step);
+  const Vector times = sample_times(0.0, step, options.samples);
+  const Solution orbit = simulate(system.model, Dopri87{}, system.start, times);
+  Dataset data;
+  data.states = system.model.states();
+  data.trajectories.push_back(
+      {system.name, times, orbit.states, Matrix(times.size(), 0), Matrix()});
+  return {system.name, std::move(data), system.model};
+}
+
+Subject subject_of(const BenchArguments& options) {
+  const std::vector<std::string>& paths = options.data.paths;
+  const auto& systems = test_systems();
+  const auto system = std::find_if(systems.begin(), systems.end(), [&](const TestSystem& one) {
+    return one.name == paths.front();
+  });
+  if (paths.size() == 1 && system != systems.end() && !std::filesystem::exists(paths.front()))
+    return simulated(*system, options);
+  Dataset data = read_data(options.data);
+  return {std::filesystem::path(paths.front()).filename().string(), std::move(data)};
+}
+
+int bench_command(const Session& session, const BenchArguments& options) {
+  std::vector<std::string> files = files_read(options.data, {});
+  if (options.config) files.push_back(*options.config);
+  check_outputs(files, with_report({{"--csv", options.csv}}, options.report));
+  const std::vector<Alternatives> alternatives =
+      all_alternatives(session.registry, options.parts);
+  BenchTask task{.compositions = compositions_of(session.registry, options, alternatives),
+                 .noise = noise_levels(options.noise),
+                 .draws = options.draws};
+  for (const Alternatives& one : alternatives) task.kinds.push_back(one.kind);
+  const RunContext context = make_context(session, options.run);
+  Subject subject = subject_of(options);
+  task.data = std::move(subject.data);
+  task.truth = std::move(subject.truth);
+  const BenchResult result = bench(task, context);
+  finish_progress(session, options.run);
+  if (options.csv) write_output(session, *options.csv, format_csv(result));
+  write_report(session, options.report, [&] { return bench_page(result, subject.name); });
+  if (options.csv != "-" && options.report.page != "-") {
+    show(session, format_text(result) +
+                      (asks_for_refiner(options) ? ""
+                               : "\nWithout a refiner, which would replace what these parts "
+                                 "find (--parts refiner=all compares it).\n"));
+  }
+  const bool any = std::any_of(result.cells.begin(), result.cells.end(),
+                               [](const BenchCell& cell) { return !cell.scores.empty(); });
+  if (any) return 0;
+  session.streams.err << "lacuna: error: no composition gave a model: "
+                      << printable(result.cells.front().failures.front()) << "\n";
+  return 1;
+}
+
+}  // namespace
+
+Command declare_bench(CLI::App& root) {
+  auto options = std::make_shared<BenchArguments>();
+  CLI::App* app = root.add_subcommand(
+      "bench", "Compare parts of identify on data or on a test system, with noise added");
+  app->add_option("DATA", options->data.paths,
+                  "Files or quoted patterns, or the name of a test system (`lacuna list system`)")
+      ->required();
+  app->add_option("--parts", options->parts,
+                  "What differs, e.g. regressor=ols,irls,stlsq, filter=all, differentiator=all or "
+                  "a number of the configuration (regressor.threshold=0.05,0.1); repeatable")
+      ->type_name("KIND=LIST")
+      ->required();
+  app->add_option("--noise", options->noise,
+                  "White noise to add, in percent of each state's standard deviation")
+      ->type_name("LIST")
+      ->capture_default_str();
+  app->add_option("--draws", options->draws, "Noisy copies for each noise above 0")
+      ->type_name("N")
+      ->check(CLI::Range(1, 100000))
+      ->capture_default_str();
+  app->add_option("--samples", options->samples, "Samples of a test system")
+      ->type_name("N")
+      ->check(CLI::Range(10, 100000000))
+      ->capture_default_str();
+  app->add_option("--preset", options->preset,
+                  "Composition of stages to start from [default: algorithm1], without its refiner")
+      ->type_name("NAME");
+  app->add_option("--config", options->config, "JSON file that overrides the preset by stages")
+      ->type_name("FILE");
+  app->add_option("--degree", options->degree, "Monomials up to this degree [default: 3]")
+      ->type_name("D");
+  app->add_option("--set", options->assignments,
+                  "One value of the configuration that all have, e.g. pruner=keep-all; repeatable")
+      ->type_name("PATH=VALUE");
+  app->add_option("--csv", options->csv, "Write a line for each cell; - for standard output")
+      ->type_name("FILE|-");
+  declare_report_options(*app, options->report);
+  declare_column_options(*app, options->data, true);
+  declare_run_options(*app, options->run);
+  return {app, [options](const Session& session) { return bench_command(session, *options); }};
+}
+
+}  // namespace lacuna::cli

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+#include "data/derivatives/penalty_range.hpp"
+
+#include <cmath>
+
+#include "core/base/check.hpp"
+
+namespace lacuna {
+
+PenaltyRange penalty_range(double step, int order) {
+  check_argument(step > 0.0 && order > 0, "penalty_range", "step or order is not positive");
+  const double unit = std::pow(step, 2 * order - 1);
+  return {1e-6 * unit, 1e11 * unit};
+}
+
+Index penalty_margin(double lambda, double step, int order) {
+  check_argument(step > 0.0 && order > 0 && lambda > 0.0, "penalty_margin",
+                 "lambda, step or order is not positive");
+  const double samples = std::pow(lambda / std::pow(step, 2 * order - 1), 0.5 / order);
+  return static_cast<Index>(std::ceil(2.0 * std::min(samples, 1e6)));
+}
+
+}  // namespace lacuna

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: MIT
+#include "lacuna/identify/bench/bench.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <limits>
+
+#include "core/base/check.hpp"
+#include "core/base/random.hpp"
+#include "core/base/text.hpp"
+#include "lacuna/dynamics/integration/runge_kutta.hpp"
+#include "lacuna/dynamics/integration/synchroniser.hpp"
+#include "lacuna/model/equations/compare_models.hpp"
+
+namespace lacuna {
+namespace {
+
+void add_noise(Matrix& values, double fraction, Random& random) {
+  for (Index k = 0; k < values.cols(); ++k) {
+    const double mean = values.col(k).mean();
+    const double deviation = std::sqrt((values.col(k).array() - mean).square().mean());
+    for (Index i = 0; i < values.rows(); ++i)
+      values(i, k) += fraction * deviation * random.normal();
+  }
+}
+
+std::optional<double> median_of(std::vector<double> values) {
+  if (values.empty()) return std::nullopt;
+  std::sort(values.begin(), values.end());
+  const std::size_t half = values.size() / 2;
+  if (values.size() % 2 == 1 || !std::isfinite(values[half])) return values[half];
+  return 0.5 * (values[half - 1] + values[half]);
+}
+
+void check_task(const BenchTask& task) {
+  constexpr const char* kWhere = "bench";
+  check_argument(!task.compositions.empty() && !task.noise.empty() && task.draws >= 1, kWhere,
+                 "there is nothing to compare", "give compositions, noise and draws");
+  for (const BenchComposition& one : task.compositions)
+    check_argument(one.parts.size() == task.kinds.size(), kWhere,
+                   "a composition has not one name for each kind of part");
+  for (const double level : task.noise)
+    check_argument(level >= 0.0 && std::isfinite(level), kWhere,
+                   "a noise is negative or not finite", "give fractions such as 0.01");
+  check_dataset(task.data);
+}
+
+/// Noisy copies for one deviation: one without noise.
+std::vector<Dataset> copies_of(const BenchTask& task, double noise, std::uint64_t seed) {
+  std::vector<Dataset> copies;
+  const int draws = noise > 0.0 ? task.draws : 1;
+  for (int draw = 0; draw < draws; ++draw)
+    copies.push_back(
+        with_relative_noise(task.data, noise, seed + static_cast<std::uint64_t>(draw)));
+  return copies;
+}
+
+BenchCell cell_of(const BenchTask& task, std::size_t composition, double noise,
+                  const std::vector<Dataset>& copies, const RunContext& context) {
+  BenchCell cell{composition, noise, {}, {}};
+  for (const Dataset& copy : copies) {
+    try {
+      cell.scores.push_back(bench_score(task.compositions[composition].pipeline, copy,
+                                        task.data, task.truth, context));
+    } catch (const Cancelled&) {
+      throw;
+    } catch (const Error& error) {
+      cell.failures.emplace_back(error.what());
+    }
+  }
+  return cell;
+}
+
+}  // namespace
+
+const BenchCell& BenchResult::cell(std::size_t composition, std::size_t level) const {
+  const std::size_t place = composition * noise.size() + level;
+  check_argument(composition < parts.size() && level < noise.size() && place < cells.size(),
+                 "BenchResult", "there is no such cell");
+  return cells[place];
+}
+
+BenchSummary summary_of(const BenchCell& cell) {
+  BenchSummary summary;
+  std::vector<double> errors, terms, sync, seconds;
+  double exact = 0.0;
+  bool known = false;
+  for (const BenchScore& score : cell.scores) {
+    known = known || score.exact_structure.has_value();
+    exact += score.exact_structure.value_or(false) ? 1.0 : 0.0;
+    if (score.coefficient_error) errors.push_back(*score.coefficient_error);
+    terms.push_back(static_cast<double>(score.terms));
+    sync.push_back(score.sync.value_or(std::numeric_limits<double>::infinity()));
+    seconds.push_back(score.seconds);
+  }
+  if (known)
+    summary.exact_rate = exact / static_cast<double>(cell.scores.size() + cell.failures.size());
+  summary.coefficient_error = median_of(std::move(errors));
+  summary.terms = median_of(std::move(terms));
+  summary.sync = median_of(std::move(sync));
+  summary.seconds = median_of(std::move(seconds));
+  return summary;
+}
+
+Dataset with_relative_noise(Dataset data, double fraction, std::uint64_t seed) {
+  check_argument(fraction >= 0.0 && std::isfinite(fraction), "with_relative_noise",
+                 "the noise is negative or not finite", "give a fraction such as 0.01");
+  if (fraction == 0.0) return data;
+  Random random(seed);
+  for (Trajectory& trajectory : data.trajectories) {
+    add_noise(trajectory.states, fraction, random);
+    if (trajectory.has_derivatives()) add_noise(trajectory.derivatives, fraction, random);
+  }
+  return data;
+}
+
+BenchScore bench_score(const Pipeline& pipeline, const Dataset& noisy, const Dataset& clean,
+                       const std::optional<OdeModel>& truth, const RunContext& context) {
+  const auto start = std::chrono::steady_clock::now();
+  const IdentificationResult result = identify(noisy, pipeline, context);
+  const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
+  BenchScore score;
+  score.seconds = time.count();
+  for (const Equation& equation : result.model.equations())
+    score.terms += static_cast<Index>(equation.size());
+  if (truth) {
+    const ModelAccuracy accuracy = compare_models(result.model, *truth);
+    score.exact_structure = accuracy.exact_structure;
+    score.coefficient_error = accuracy.largest_error;
+  }
+  const SyncResult sync = synchronise(result.model, clean, Rk4{});
+  if (sync.status == IntegrationStatus::Completed) score.sync = sync.relative;
+  return score;
+}
+
+BenchResult bench(const BenchTask& task, const RunContext& context) {
+  check_task(task);
+  BenchResult result{task.kinds, {}, task.noise, {}, task.truth.has_value()};
+  for (const BenchComposition& one : task.compositions) result.parts.push_back(one.parts);
+  std::vector<std::vector<Dataset>> copies;
+  for (const double level : task.noise) copies.push_back(copies_of(task, level, context.seed));
+  RunContext inner = context;
+  inner.progress = nullptr;
+  const double count = static_cast<double>(task.compositions.size() * task.noise.size());
+  for (std::size_t c = 0; c < task.compositions.size(); ++c)
+    for (std::size_t level = 0; level < task.noise.size(); ++level) {
+      const std::string activity = join(task.compositions[c].parts, " + ") + ", noise " +
+                                   format_number(100.0 * task.noise[level]) + " %";
+      context.report(activity, static_cast<double>(result.cells.size()) / count);
+      result.cells.push_back(cell_of(task, c, task.noise[level], copies[level], inner));
+    }
+  return result;
+}
+
+}  // namespace lacuna

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: MIT
+#include "data/derivatives/wiener_path.hpp"
+
+#include <gtest/gtest.h>
+
+#include "core/base/random.hpp"
+#include "grids.hpp"
+#include "lacuna/core/base/error.hpp"
+
+namespace lacuna {
+namespace {
+
+/// Covariance at s and t of the signal and of its rate at s with the signal at t, for d^m x/dt^m
+/// white from 0 on: integrals of (s - u)_+^(m-1-a) (t - u)_+^(m-1) by the midpoint rule.
+double wiener_covariance(double s, double t, int m, int a) {
+  const double end = std::min(s, t);
+  constexpr int kPoints = 4000;
+  double sum = 0.0, scale = 1.0;
+  for (int k = 2; k < m; ++k) scale *= k;
+  double scale_a = 1.0;
+  for (int k = 2; k < m - a; ++k) scale_a *= k;
+  for (int p = 0; p < kPoints; ++p) {
+    const double u = end * (p + 0.5) / kPoints;
+    sum += std::pow(s - u, m - 1 - a) * std::pow(t - u, m - 1);
+  }
+  return sum * end / kPoints / (scale * scale_a);
+}
+
+/// Best linear unbiased prediction of the derivative a with polynomials below degree m as
+/// unknown means, from joint covariances.
+Vector predicted(const Vector& time, const Vector& y, int m, double lambda, int a) {
+  const Index n = time.size();
+  Matrix covariance(n, n), cross(n, n), means(n, m), mean_rates(n, m);
+  for (Index i = 0; i < n; ++i) {
+    for (Index j = 0; j < n; ++j) {
+      covariance(i, j) = wiener_covariance(time[i], time[j], m, 0) / lambda + (i == j);
+      cross(i, j) = wiener_covariance(time[i], time[j], m, a) / lambda;
+    }
+    for (int p = 0; p < m; ++p) {
+      means(i, p) = std::pow(time[i], p);
+      mean_rates(i, p) = a == 0 ? means(i, p) : p == 0 ? 0.0 : p * std::pow(time[i], p - 1);
+    }
+  }
+  const Matrix inverse = covariance.inverse();
+  const Matrix normal = means.transpose() * inverse * means;
+  const Vector beta = normal.inverse() * (means.transpose() * inverse * y);
+  return mean_rates * beta + cross * (inverse * (y - means * beta));
+}
+
+Vector noisy_wave(const Vector& time) {
+  Random random(4);
+  Vector y = (3.0 * time.array()).sin();
+  for (Index i = 0; i < y.size(); ++i) y[i] += 0.1 * random.normal();
+  return y;
+}
+
+TEST(WienerPath, IsTheJointGaussiansMeanOnAnyGrid) {
+  for (const Vector& grid : {uniform_grid(18, 2.0), jittered_grid(18, 2.0)})
+    for (int m = 2; m <= 4; ++m) {
+      const Vector time = grid.array() - grid[0];
+      const Vector y = noisy_wave(time);
+      const double lambda = 0.01;
+      const WienerPath path = smooth_wiener(time, y, m, lambda);
+      ASSERT_EQ(path.states.size(), static_cast<std::size_t>(m));
+      for (int a = 0; a < 2; ++a) {
+        const Vector expected = predicted(time, y, m, lambda, a);
+        EXPECT_LT((path.states[static_cast<std::size_t>(a)].col(0) - expected).norm(),
+                  1e-4 * expected.norm())
+            << m << a;
+      }
+    }
+}
+
+TEST(WienerPath, DeviationsAreThoseOfManyDraws) {
+  const Vector time = uniform_grid(40, 4.0);
+  Random random(6);
+  constexpr int kDraws = 2000;
+  // Noise alone: the estimate varies by less than the deviation, which has the path's share too,
+  // by S S' against S of the same smoother. Checked through sums over all samples.
+  Matrix noise(40, kDraws);
+  for (Index j = 0; j < kDraws; ++j)
+    for (Index i = 0; i < 40; ++i) noise(i, j) = random.normal();
+  const WienerPath path = smooth_wiener(time, noise, 3, 1e-3);
+  const Matrix covariance = path.states[0] * noise.transpose() / kDraws;  // S, as noise is white
+  EXPECT_LT((covariance.diagonal() - path.deviations[0].cwiseAbs2()).cwiseAbs().maxCoeff(), 0.06);
+}
+
+TEST(WienerPath, ScoreIsLeastNearTheLambdaOfTheProcess) {
+  Random random(12);
+  const Index n = 3000;
+  Vector y(n);
+  double x = 0.0, v = 0.0;
+  for (Index i = 0; i < n; ++i) {  // d^2x/dt^2 white of intensity 0.01, steps of 1
+    const double a = 0.1 * random.normal(), b = 0.1 * random.normal();
+    x += v + 0.5 * a + b / std::sqrt(12.0);
+    v += a;
+    y[i] = x + random.normal();
+  }
+  const Vector time = Vector::LinSpaced(n, 0.0, static_cast<double>(n - 1));
+  const double at = wiener_score(time, y, 2, 100.0);
+  EXPECT_LT(at, wiener_score(time, y, 2, 25.0));
+  EXPECT_LT(at, wiener_score(time, y, 2, 400.0));
+  EXPECT_LT(at, wiener_score(time, y, 3, 1e6));
+  EXPECT_NEAR(smooth_wiener(time, y, 2, 100.0).noise[0], 1.0, 0.05);
+}
+
+TEST(WienerPath, RefusesWhatDoesNotFit) {
+  const Vector time = uniform_grid(20, 1.0);
+  EXPECT_THROW(smooth_wiener(time, Matrix(time), 5, 1.0), ArgumentError);
+  EXPECT_THROW(smooth_wiener(time, Matrix(time), 3, 0.0), ArgumentError);
+  EXPECT_THROW(wiener_score(time.head(8), Matrix(time.head(8)), 3, 1.0), ArgumentError);
+}
+
+}  // namespace
+}  // namespace lacuna
