@@ -2,6 +2,7 @@
 #include "cli/commands/answers.hpp"
 
 #include "lacuna/bases/expressions.hpp"
+#include "report/pages/folded_text.hpp"
 #include "unit/cli/commands/records.hpp"
 
 namespace lacuna {
@@ -24,10 +25,10 @@ TEST(Answers, TablesInMemoryAreAsGoodAsFiles) {
   cli::SyncRequest request{.model = {records.oscillator_model()}, .data = in_memory(records)};
   const cli::SyncAnswer found = answer(registry, request, {});
   const auto shown = run_command({"sync", records.oscillator_model(), records.oscillator()});
-  EXPECT_EQ(text_of(found), shown.out);
+  EXPECT_EQ(folded(text_of(found)), shown.out);
   EXPECT_EQ(failure_of(found), "");
   const cli::CheckRequest check{.data = in_memory(records)};
-  EXPECT_EQ(format_text(answer(registry, check)),
+  EXPECT_EQ(folded(format_text(answer(registry, check))),
             run_command({"check", records.oscillator()}).out);
 }
 
