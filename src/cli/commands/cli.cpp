@@ -188,7 +188,8 @@ int run_words(int argc, const char* const* argv, cli::Session session,
       cli::declare_identify(app),   cli::declare_simulate(app), cli::declare_sync(app),
       cli::declare_diagnose(app),   cli::declare_fit(app),      cli::declare_model(app),
       cli::declare_export(app),     cli::declare_check(app),    cli::declare_compare(app),
-      cli::declare_completion(app), cli::declare_list(app),     cli::declare_describe(app)};
+      cli::declare_completion(app), cli::declare_list(app),     cli::declare_describe(app),
+      cli::declare_plan(app)};
   if (const auto status = parse(app, argc, argv, streams))
     return with_output_checked(*status, streams);
 

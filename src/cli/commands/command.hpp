@@ -36,6 +36,7 @@ struct Command {
 Command declare_identify(CLI::App& root);
 Command declare_simulate(CLI::App& root);
 Command declare_fit(CLI::App& root);
+Command declare_plan(CLI::App& root);
 Command declare_sync(CLI::App& root);
 Command declare_diagnose(CLI::App& root);
 Command declare_model(CLI::App& root);

@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: MIT
+#include "loop.hpp"
+
+#include <Eigen/LU>
+#include <chrono>
+#include <cmath>
+
+#include "core/base/random.hpp"
+#include "lacuna/core/statistics/interval.hpp"
+#include "lacuna/data/derivatives/finite_differences.hpp"
+#include "lacuna/model/files/ode_text.hpp"
+#include "lacuna/records/binding/model_view.hpp"
+#include "lacuna/trajectories/fit/rivals.hpp"
+#include "trajectories/design/input_signals.hpp"
+#include "trajectories/design/refit.hpp"
+
+namespace lacuna::benchmarks {
+namespace {
+
+constexpr double kNoise = 0.01;     // of the deviation of the old record
+constexpr double kOff = 0.2;        // of true parameters, their logarithm
+constexpr double kUnknown = 1e-6;   // noise that choose_steps() goes by before it is known
+
+PlanProblem problem_of(const RivalCase& rivals, double noise) {
+  PlanProblem problem;
+  for (std::size_t i = 0; i < rivals.models.size(); ++i)
+    problem.models.push_back(
+        {"m" + std::to_string(i + 1), parse_ode_system(rivals.models[i], rivals.name)});
+  problem.inputs = {{"u", rivals.low, rivals.high, {}, 4.0 * rivals.step, {}, 8}};
+  problem.channels = {{"y", noise}};
+  problem.duration = rivals.duration;
+  problem.step = rivals.step;
+  return problem;
+}
+
+/// An experiment of a family, its numbers as given.
+Experiment experiment_with(PlanProblem problem, InputFamily family, const Vector& design) {
+  problem.inputs[0].families = {family};
+  return experiment_of(problem, {{family}}, design);
+}
+
+/// The plant: the right model with its true parameters.
+struct Plant {
+  ModelRun run;
+  Vector parameters;
+};
+
+Vector measure(Plant& plant, const Experiment& experiment) {
+  choose_steps(plant.run, {experiment});
+  load(plant.run, experiment);
+  return predict(plant.run, experiment, {plant.parameters, {}}).channels.col(0);
+}
+
+Experiment old_experiment(const RivalCase& rivals) {
+  PlanProblem problem = problem_of(rivals, 1.0);
+  problem.inputs[0].pieces = static_cast<int>(rivals.old_steps.size());
+  return experiment_with(
+      problem, InputFamily::Steps,
+      Eigen::Map<const Vector>(rivals.old_steps.data(), problem.inputs[0].pieces));
+}
+
+Dataset dataset_of(const Experiment& experiment, const Vector& y) {
+  Dataset data;
+  data.states = {{"y", ""}};
+  data.inputs = {{"u", "", Hold::Zero}};
+  data.trajectories = {{"record", experiment.time, y, experiment.inputs, Matrix()}};
+  return data;
+}
+
+Vector with_noise(Vector values, double noise, Random& random) {
+  for (double& value : values) value += noise * random.normal();
+  return values;
+}
+
+/// The least advantage of the right model.
+double margin_of(const std::vector<double>& log_evidences, std::size_t right) {
+  double margin = INFINITY;
+  for (std::size_t j = 0; j < log_evidences.size(); ++j)
+    if (j != right) margin = std::min(margin, log_evidences[right] - log_evidences[j]);
+  return margin;
+}
+
+/// The models fitted to the old record; logs of their probability, -BIC / 2.
+std::vector<double> fit_old(const Dataset& columns, PlanProblem& problem) {
+  std::vector<NamedFit> fits;
+  for (PlanModel& model : problem.models) {
+    const Dataset view = model_view(model.system.model(), columns, FiniteDifferences{});
+    fits.push_back({model.name, fit(model.system, view, {})});
+    model.system = fits.back().fit.model;
+    model.information = information_of(fits.back().fit, view);
+  }
+  std::vector<double> logs(fits.size());
+  for (const FitRival& rival : compare_fits(fits).rivals)
+    for (std::size_t i = 0; i < fits.size(); ++i)
+      if (fits[i].name == rival.name) logs[i] = -0.5 * rival.bic;
+  return logs;
+}
+
+std::vector<Experiment> standard_experiments(const PlanProblem& problem, Random& random) {
+  Vector steps(problem.inputs[0].pieces), prbs(4),
+      sines(2 + 2 * Index{problem.inputs[0].pieces});
+  for (double& value : steps) value = random.uniform();
+  prbs << 0.0, 1.0, 0.5, random.uniform();
+  for (double& value : sines) value = random.uniform();
+  sines[0] = 0.5;
+  sines[1] = 1.0;
+  for (Index k = 2; k < sines.size(); k += 2) sines[k] = 1.0;
+  return {experiment_with(problem, InputFamily::Steps, steps),
+          experiment_with(problem, InputFamily::Prbs, prbs),
+          experiment_with(problem, InputFamily::Multisine, sines)};
+}
+
+/// Widths and coverage of the intervals of the right model's numbers.
+void compare_intervals(const Plan& plan, const PlanModel& model, const Refit& refitted,
+                       const Matrix& known, const Vector& truth, LoopOutcome& outcome) {
+  const Matrix covariance = (known + refitted.information).inverse();
+  Index p = 0;
+  for (const ParameterPromise& promise : plan.parameters) {
+    if (promise.model != model.name) continue;
+    if (promise.after) {
+      outcome.widths.push_back(std::sqrt(covariance(p, p)) / *promise.after);
+      ++outcome.intervals;
+      outcome.covered += std::abs(refitted.parameters[p] - truth[p]) <=
+                                 kNormalQuantile975 * *promise.after
+                             ? 1
+                             : 0;
+    }
+    ++p;
+  }
+}
+
+}  // namespace
+
+LoopOutcome go_round(const RivalCase& rivals, std::uint64_t draw) {
+  Random random(draw * 7919 + 17);
+  PlanProblem problem = problem_of(rivals, kUnknown);
+  const std::size_t right = draw % problem.models.size();
+  Plant plant{model_run(problem.models[right], problem), {}};
+  plant.parameters = plant.run.values;
+  for (double& value : plant.parameters) value *= std::exp(kOff * random.uniform(-1.0, 1.0));
+  const Experiment old = old_experiment(rivals);
+  const Vector clean = measure(plant, old);
+  const double noise = kNoise * std::sqrt((clean.array() - clean.mean()).square().mean());
+  const std::vector<double> logs =
+      fit_old(dataset_of(old, with_noise(clean, noise, random)), problem);
+  problem.channels[0].noise = noise;
+  LoopOutcome outcome;
+  outcome.old_margin = margin_of(logs, right);
+  RunContext context;
+  context.seed = draw + 1;
+  const auto begin = std::chrono::steady_clock::now();
+  const Plan plan = plan_experiment(problem, {}, context);
+  outcome.seconds =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  std::vector<Experiment> experiments{plan.runs.at(0).experiment};
+  for (Experiment& one : standard_experiments(problem, random))
+    experiments.push_back(std::move(one));
+  experiments.push_back(old);
+  for (std::size_t e = 0; e < experiments.size(); ++e) {
+    const Vector values =
+        with_noise(measure(plant, experiments[e]), noise, random) / noise;
+    std::vector<double> with_new = logs, alone(logs.size());
+    for (std::size_t i = 0; i < problem.models.size(); ++i) {
+      ModelRun run = model_run(problem.models[i], problem);
+      choose_steps(run, {experiments[e]});
+      const Knowledge known = knowledge_of(problem.models[i], PlanOptions{}.spread);
+      alone[i] = log_evidence(run, known, {experiments[e]}, {values});
+      with_new[i] += alone[i];
+      if (e == 0 && i == right)
+        compare_intervals(plan, problem.models[i],
+                          refit(run, known, {experiments[e]}, {values}), known.information,
+                          plant.parameters, outcome);
+    }
+    outcome.margins.push_back(margin_of(with_new, right));
+    if (e == 0) outcome.obtained = margin_of(alone, right);
+  }
+  outcome.promised = INFINITY;
+  for (const PairPromise& pair : plan.pairs)
+    if (pair.truth == problem.models[right].name)
+      outcome.promised = std::min(outcome.promised, pair.log_bayes_factor);
+  return outcome;
+}
+
+}  // namespace lacuna::benchmarks

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "lacuna/report/plans/plan_report.hpp"
+#include "report/pages/page.hpp"
+
+namespace lacuna {
+
+/// What a plan is worth, in a sentence.
+std::string verdict_of(const PlanReport& report);
+
+/// Times at which a sample is taken of any channel.
+Vector measured_times(const Experiment& experiment);
+
+/// What to run: one sentence for each run.
+std::vector<std::string> instructions_of(const PlanReport& report);
+
+/// Heads and rows of the table of pairs.
+std::vector<std::vector<std::string>> pair_rows(const Plan& plan);
+
+/// Heads and rows of the table of parameters.
+std::vector<std::vector<std::string>> parameter_rows(const Plan& plan);
+
+/// What more of the old data would bring beside the plan; empty where nothing was measured.
+std::string comparison_with_repetition(const Plan& plan);
+
+/// A plan as a page: what to run, what it is expected to decide, inputs, what the rivals predict
+/// with bands.
+Page plan_page(const PlanReport& report);
+
+}  // namespace lacuna
