@@ -65,6 +65,15 @@ TEST_F(Schemas, DescribeDiagnoses) {
   EXPECT_THAT(folder_.read("out.json"), ::testing::HasSubstr("coulomb-friction"));
 }
 
+TEST_F(Schemas, DescribePlans) {
+  const std::string quick = " --candidates 4 --searches 2 --evaluations 10 ";
+  expect_conforms("plan", "plan " + path("m.ode") + " --data " + path("free.csv") +
+                              " --safe th=-3..3 --safe-probability 0.5 --start th=-1..1" + quick);
+  expect_conforms("plan", "plan " + path("m.ode") +
+                              " --input u=-1..1 --measure th=0.01 --duration 4 --times 3" +
+                              quick);
+}
+
 TEST_F(Schemas, DescribeFleets) {
   folder_.write("none.csv", "t,th,w,u\n");
   expect_conforms("fleet", "diagnose --each --effect coulomb-friction --model " +

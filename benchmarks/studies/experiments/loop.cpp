@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "loop.hpp"
 
+#include <Eigen/LU>
 #include <chrono>
 #include <cmath>
 

@@ -75,6 +75,7 @@ PlanModels of_diagnosis(const Json& answer, const std::string& source) {
       const double weight = probability.is_number() ? probability.get<double>() : 0.0;
       found.models.push_back({other.at("name").get<std::string>(), *model, {},
                               std::max(weight, kLeast)});
+      found.has_unfitted = true;
     }
   return found;
 }

@@ -36,7 +36,7 @@ int plan_command(const Session& session, const PlanArguments& options) {
                                        : files_read(options.data, {});
   files.insert(files.end(), options.models.begin(), options.models.end());
   if (options.after) files.push_back(*options.after);
-  check_outputs(files, outputs_of(options));
+  if (!files.empty()) check_outputs(files, outputs_of(options));
   const RunContext context = make_context(session, options.run);
   PlanReport report{problem_of(options, context), options.options, {}};
   report.plan = plan_experiment(report.problem, report.options, context);

@@ -156,6 +156,10 @@ PlanProblem problem_of(const PlanRequest& request, const RunContext& context) {
   PlanModels known = models_of(request);
   std::vector<FittedModel> fits;
   if (!request.data.empty()) fits = fit_models(request, known, context);
+  if (known.has_unfitted && fits.empty())
+    throw ConfigError("--after " + *request.after,
+                      "the alternatives of a diagnosis have no coefficients of their own",
+                      "give the records with --data, to which they are fitted");
   const Dataset* data = fits.empty() ? nullptr : &fits.front().data;
   PlanProblem problem;
   problem.models = std::move(known.models);

@@ -41,6 +41,7 @@ SafeRange safe_range(const std::string& text);
 struct PlanModels {
   std::vector<PlanModel> models = {};
   std::vector<PlanChannel> channels = {};  ///< with the noise that an answer has; may be empty
+  bool has_unfitted = false;  ///< whether one has coefficients that were not fitted
 };
 
 /// The models in an answer of fit (one model or several), diagnose or identify: those that it

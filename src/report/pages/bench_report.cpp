@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/base/text.hpp"
-#include "text_table.hpp"
+#include "folded_text.hpp"
 
 namespace lacuna {
 namespace {

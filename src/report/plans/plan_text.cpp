@@ -5,7 +5,7 @@
 #include "core/base/text.hpp"
 #include "lacuna/core/statistics/interval.hpp"
 #include "plan_parts.hpp"
-#include "report/pages/text_table.hpp"
+#include "report/pages/folded_text.hpp"
 
 namespace lacuna {
 namespace {

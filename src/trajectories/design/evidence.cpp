@@ -68,7 +68,7 @@ PathNumbers in_experiment(const ModelRun& run, const Experiment& experiment,
   return {draw.parameters, starts_in(run, experiment) + draw.starts};
 }
 
-ModelEvidence model_evidence(const Linearisation& linear) {
+ModelEvidence model_evidence(const LinearPrediction& linear) {
   const Matrix& x = linear.by_start;
   ModelEvidence evidence;
   evidence.information = linear.by_parameter.transpose() * weighted(x, linear.by_parameter);
@@ -135,7 +135,7 @@ PairEvidence& PairEvidence::operator+=(const PairEvidence& other) {
   return *this;
 }
 
-Evidence& Evidence::operator+=(const Evidence& other) {
+DesignEvidence& DesignEvidence::operator+=(const DesignEvidence& other) {
   if (models.empty()) return *this = other;
   for (std::size_t i = 0; i < models.size(); ++i) models[i] += other.models[i];
   for (std::size_t i = 0; i < pairs.size(); ++i) pairs[i] += other.pairs[i];
@@ -143,10 +143,10 @@ Evidence& Evidence::operator+=(const Evidence& other) {
   return *this;
 }
 
-Evidence evidence_of(Rivals& rivals, const Experiment& experiment, bool with_pairs) {
+DesignEvidence evidence_of(Rivals& rivals, const Experiment& experiment, bool with_pairs) {
   const std::size_t count = rivals.runs.size();
-  Evidence evidence;
-  std::vector<Linearisation> linear;
+  DesignEvidence evidence;
+  std::vector<LinearPrediction> linear;
   std::vector<Matrix> drawn(count);  // values x K
   for (std::size_t i = 0; i < count; ++i) {
     ModelRun& run = rivals.runs[i];
@@ -177,7 +177,7 @@ Evidence evidence_of(Rivals& rivals, const Experiment& experiment, bool with_pai
   return evidence;
 }
 
-Evidence repeated(Evidence evidence, double times) {
+DesignEvidence repeated(DesignEvidence evidence, double times) {
   for (ModelEvidence& model : evidence.models) {
     model.information *= times;
     model.log_det *= times;
@@ -190,7 +190,7 @@ Evidence repeated(Evidence evidence, double times) {
   return evidence;
 }
 
-Distinction distinction_of(const Rivals& rivals, const Evidence& evidence, std::size_t right,
+Distinction distinction_of(const Rivals& rivals, const DesignEvidence& evidence, std::size_t right,
                            std::size_t rival, double decisive, const Vector& squares) {
   const PairEvidence& pair = evidence.pairs[right * rivals.runs.size() + rival];
   const ModelEvidence &own = evidence.models[right], &other = evidence.models[rival];

@@ -29,7 +29,7 @@ std::vector<PathNumbers> draws_of(const ModelRun& run, const Knowledge& knowledg
 PathNumbers in_experiment(const ModelRun& run, const Experiment& experiment,
                           const PathNumbers& draw);
 
-/// (1 + X X')^-1 A: what is left of A after uncertain initial states are eliminated.
+/// (1 + X X')^-1 A: A after uncertain initial states are eliminated.
 /// @param by_start X, values x uncertain starts.
 Matrix weighted(const Matrix& by_start, const Matrix& a);
 
@@ -42,7 +42,7 @@ struct ModelEvidence {
   ModelEvidence& operator+=(const ModelEvidence& other);
 };
 
-ModelEvidence model_evidence(const Linearisation& linear);
+ModelEvidence model_evidence(const LinearPrediction& linear);
 
 /// Log of the determinant of a symmetric positive definite matrix.
 double log_det(const Matrix& symmetric);
@@ -56,13 +56,13 @@ struct PairEvidence {
 };
 
 /// Of an experiment, or of several; empty: of none.
-struct Evidence {
+struct DesignEvidence {
   std::vector<ModelEvidence> models;
   std::vector<PairEvidence> pairs;  ///< number right * R + rival; those of a model with itself
                                     ///< are empty
   bool is_finite = true;
 
-  Evidence& operator+=(const Evidence& other);
+  DesignEvidence& operator+=(const DesignEvidence& other);
 };
 
 /// Models with what is known of them, and the draws of them that stand for it.
@@ -74,10 +74,10 @@ struct Rivals {
 };
 
 /// @param with_pairs whether rivals are compared; else only the models' own information.
-Evidence evidence_of(Rivals& rivals, const Experiment& experiment, bool with_pairs);
+DesignEvidence evidence_of(Rivals& rivals, const Experiment& experiment, bool with_pairs);
 
 /// The same experiments made so many times.
-Evidence repeated(Evidence evidence, double times);
+DesignEvidence repeated(DesignEvidence evidence, double times);
 
 /// A comparison where `right` is right.
 struct Distinction {
@@ -88,7 +88,7 @@ struct Distinction {
 
 /// @param evidence of pairs. @param squares K: distances after an exact refit, in the place of
 ///   linearised ones; empty: those.
-Distinction distinction_of(const Rivals& rivals, const Evidence& evidence, std::size_t right,
+Distinction distinction_of(const Rivals& rivals, const DesignEvidence& evidence, std::size_t right,
                            std::size_t rival, double decisive, const Vector& squares = {});
 
 }  // namespace lacuna

@@ -241,7 +241,8 @@ Index design_size(const PlanProblem& problem, const DesignSpace& space) {
 Experiment experiment_of(const PlanProblem& problem, const DesignSpace& space,
                          const Vector& design) {
   const auto count = static_cast<Index>(std::floor(problem.duration / problem.step + 1e-9)) + 1;
-  const Vector grid = Vector::LinSpaced(count, 0.0, double(count - 1) * problem.step);
+  Vector grid(count);
+  for (Index i = 0; i < count; ++i) grid[i] = static_cast<double>(i) * problem.step;
   const auto channels = static_cast<Index>(problem.channels.size());
   Experiment experiment;
   const Vector wanted = design.tail(problem.measurements.value_or(0)) * grid[count - 1];

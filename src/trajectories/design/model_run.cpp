@@ -85,9 +85,9 @@ std::vector<Expression> safe_formulas(const PlanModel& model, const PlanProblem&
   return formulas;
 }
 
-void refuse_delayed_states(const PlanModel& model, const ModelRun& run) {
-  for (const DelayedVariable& delay : run.engine.rates.delays())
-    if (delay.slot < run.engine.states())
+void refuse_delayed_states(const PlanModel& model, const Rates& rates) {
+  for (const DelayedVariable& delay : rates.delays())
+    if (delay.slot < rates.dimension())
       throw ModelError(model.name, "an equation has a delayed state",
                        "plan with a model that delays inputs only");
 }
@@ -137,6 +137,7 @@ ModelRun model_run(const PlanModel& model, const PlanProblem& problem) {
   const ParametrisedModel parametrised = model.system.parametrised();
   const FitUnknowns unknowns = fit_unknowns(parametrised, {});
   const OdeModel& symbolic = parametrised.symbolic();
+  refuse_delayed_states(model, Rates(parametrised));
   std::vector<Index> inputs = inputs_of(model, parametrised, problem);
   ModelRun run{fit_engine(parametrised, records_of(model, parametrised, problem)),
                std::move(inputs),
@@ -147,7 +148,6 @@ ModelRun model_run(const PlanModel& model, const PlanProblem& problem) {
                parametrised.values(),
                unknowns.lower,
                unknowns.upper};
-  refuse_delayed_states(model, run);
   for (Index k = 0; k < run.starts.size(); ++k) {
     const auto& initial = symbolic.initial()[static_cast<std::size_t>(k)];
     if (!initial) continue;
@@ -214,11 +214,11 @@ Prediction predict(ModelRun& run, const Experiment& experiment, const PathNumber
   return prediction;
 }
 
-Linearisation linearise(ModelRun& run, const Experiment& experiment,
+LinearPrediction linearise(ModelRun& run, const Experiment& experiment,
                         const PathNumbers& numbers) {
   const FitPoint point = point_of(run, experiment, numbers);
   const FitPath path = follow(run.engine, point, {});
-  Linearisation linear;
+  LinearPrediction linear;
   linear.values = taken(-path.residuals, experiment, run.engine.sigma);
   linear.is_finite = std::isfinite(path.cost);
   const Index m = run.engine.states(), p = run.engine.parameters();

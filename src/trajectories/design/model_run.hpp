@@ -51,7 +51,7 @@ struct Prediction {
 Prediction predict(ModelRun& run, const Experiment& experiment, const PathNumbers& numbers);
 
 /// Predictions with their derivatives.
-struct Linearisation {
+struct LinearPrediction {
   Vector values;       ///< as of Prediction
   Matrix by_start;     ///< by initial states that may be off, each in its deviation
   Matrix by_parameter; ///< samples x P
@@ -59,7 +59,7 @@ struct Linearisation {
 };
 
 /// @param experiment the one that is loaded.
-Linearisation linearise(ModelRun& run, const Experiment& experiment,
+LinearPrediction linearise(ModelRun& run, const Experiment& experiment,
                         const PathNumbers& numbers);
 
 /// Initial states in an experiment, m.

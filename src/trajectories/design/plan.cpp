@@ -157,7 +157,7 @@ using Scenarios = std::vector<std::vector<PathNumbers>>;
 
 /// The search for one run, given what earlier ones bring.
 std::vector<ScoredDesign> search(Planning& planning, const Rivals& rivals,
-                                 const Evidence& earlier, const Scenarios& scenarios,
+                                 const DesignEvidence& earlier, const Scenarios& scenarios,
                                  const std::vector<ScoredDesign>& known,
                                  const RunContext& context) {
   const bool with_pairs = planning.terms.aim != PlanAim::Parameters;
@@ -173,7 +173,7 @@ std::vector<ScoredDesign> search(Planning& planning, const Rivals& rivals,
         if (const double beyond = worst_excess(own, experiment, problem.safe, scenarios);
             beyond > 0.0)
           return kOutside * (1.0 + std::min(beyond, 1e9));
-      Evidence evidence = evidence_of(own, experiment, with_pairs);
+      DesignEvidence evidence = evidence_of(own, experiment, with_pairs);
       if (!evidence.is_finite) return -std::numeric_limits<double>::infinity();
       if (!earlier.models.empty()) evidence += earlier;
       return score_of(planning.terms, own, evidence);
@@ -200,7 +200,7 @@ struct SafeDesign {
 
 /// The best design that keeps the safe ranges: searched again with draws that left them, which
 /// must not, until few enough do.
-SafeDesign safe_search(Planning& planning, const Rivals& rivals, const Evidence& earlier,
+SafeDesign safe_search(Planning& planning, const Rivals& rivals, const DesignEvidence& earlier,
                        const RunContext& context) {
   constexpr int kRounds = 6;
   const double allowed = 1.0 - planning.options.safe_probability;
@@ -229,9 +229,9 @@ SafeDesign safe_search(Planning& planning, const Rivals& rivals, const Evidence&
 }
 
 /// The experiments that were made, for as long as the planned ones.
-Evidence evidence_of_made(const PlanProblem& problem, int runs, Rivals& rivals,
+DesignEvidence evidence_of_made(const PlanProblem& problem, int runs, Rivals& rivals,
                           bool with_pairs) {
-  Evidence made;
+  DesignEvidence made;
   double duration = 0.0;
   for (const Experiment& experiment : problem.made) {
     made += evidence_of(rivals, experiment, with_pairs);
@@ -256,6 +256,12 @@ void check_made(const PlanProblem& problem) {
   }
 }
 
+/// A design in steps of a converter of 20 bits, about: with fewer digits the same.
+Vector rounded(const Vector& design) {
+  constexpr double kSteps = 1e6;
+  return (design * kSteps).array().round() / kSteps;
+}
+
 }  // namespace
 
 Plan plan_experiment(const PlanProblem& problem, const PlanOptions& options,
@@ -276,8 +282,9 @@ Plan plan_experiment(const PlanProblem& problem, const PlanOptions& options,
   for (int r = 0; r < options.runs; ++r) {
     RunContext own = context;
     own.seed = context.seed + static_cast<std::uint64_t>(r);
-    const SafeDesign best = safe_search(planning, rivals, expected.planned, own);
+    SafeDesign best = safe_search(planning, rivals, expected.planned, own);
     const DesignSpace& space = planning.spaces[best.design.space];
+    best.design.design = rounded(best.design.design);
     experiments.push_back(experiment_of(problem, space, best.design.design));
     expected.planned += evidence_of(rivals, experiments.back(), with_pairs);
     plan.runs.push_back({experiments.back(), space.families,

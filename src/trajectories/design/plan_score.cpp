@@ -12,7 +12,7 @@
 namespace lacuna {
 namespace {
 
-double rivals_score(const ScoreTerms& terms, const Rivals& rivals, const Evidence& evidence) {
+double rivals_score(const ScoreTerms& terms, const Rivals& rivals, const DesignEvidence& evidence) {
   double least = std::numeric_limits<double>::infinity(), sum = 0.0;
   for (std::size_t i = 0; i < rivals.runs.size(); ++i)
     for (std::size_t j = 0; j < rivals.runs.size(); ++j) {
@@ -27,7 +27,7 @@ double rivals_score(const ScoreTerms& terms, const Rivals& rivals, const Evidenc
 }
 
 double parameters_score(const ScoreTerms& terms, const Rivals& rivals,
-                        const Evidence& evidence) {
+                        const DesignEvidence& evidence) {
   double sum = 0.0;
   for (std::size_t i = 0; i < rivals.runs.size(); ++i) {
     if (terms.precision == PrecisionCriterion::Chosen && terms.chosen[i].empty()) continue;
@@ -74,7 +74,7 @@ ScoreTerms score_terms(const PlanProblem& problem, const PlanOptions& options,
   return terms;
 }
 
-double score_of(const ScoreTerms& terms, const Rivals& rivals, const Evidence& evidence) {
+double score_of(const ScoreTerms& terms, const Rivals& rivals, const DesignEvidence& evidence) {
   if (!evidence.is_finite) return -std::numeric_limits<double>::infinity();
   if (terms.aim == PlanAim::Parameters) return parameters_score(terms, rivals, evidence);
   const double distinguished = rivals_score(terms, rivals, evidence);

@@ -24,6 +24,6 @@ Vector sizes_of(const ModelRun& run);
 
 /// The larger the better, in units of a log probability; minus infinity where a path does not
 /// stay finite.
-double score_of(const ScoreTerms& terms, const Rivals& rivals, const Evidence& evidence);
+double score_of(const ScoreTerms& terms, const Rivals& rivals, const DesignEvidence& evidence);
 
 }  // namespace lacuna

@@ -8,7 +8,7 @@ namespace lacuna {
 
 /// The evidence of the plan, and of the experiments that were made, repeated for as long.
 struct Expected {
-  Evidence planned, made;  ///< `made` is empty where nothing was
+  DesignEvidence planned, made;  ///< `made` is empty where nothing was
 };
 
 /// All pairs of rivals, with exact refits.

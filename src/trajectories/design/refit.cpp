@@ -26,7 +26,7 @@ Normal normal_at(ModelRun& run, const Knowledge& knowledge,
                 Matrix::Zero(moved.size(), moved.size())};
   for (std::size_t e = 0; e < experiments.size(); ++e) {
     load(run, experiments[e]);
-    const Linearisation linear = linearise(run, experiments[e], {parameters, {}});
+    const LinearPrediction linear = linearise(run, experiments[e], {parameters, {}});
     if (!linear.is_finite) {
       normal.cost = std::numeric_limits<double>::infinity();
       return normal;
@@ -42,14 +42,12 @@ Normal normal_at(ModelRun& run, const Knowledge& knowledge,
   return normal;
 }
 
-}  // namespace
-
-Refit refit(ModelRun& run, const Knowledge& knowledge,
-            const std::vector<Experiment>& experiments, const std::vector<Vector>& values) {
-  constexpr int kMostSteps = 12;
+Refit refit_from(ModelRun& run, const Knowledge& knowledge,
+                 const std::vector<Experiment>& experiments, const std::vector<Vector>& values,
+                 Vector parameters) {
+  constexpr int kMostSteps = 40;
   // A decrease of the squares below this changes no log Bayes factor that is printed.
   constexpr double kUnnoticed = 1e-3;
-  Vector parameters = run.values;
   Normal here = normal_at(run, knowledge, experiments, values, parameters);
   double damping = 0.0;
   for (int step = 0; step < kMostSteps; ++step) {
@@ -72,6 +70,32 @@ Refit refit(ModelRun& run, const Knowledge& knowledge,
   return {parameters, here.cost, here.information, here.log_det};
 }
 
+/// The estimates of a rival, with the numbers of a draw where these have the same name: one that
+/// contains the right model has its minimum there.
+Vector with_same_names(const ModelRun& rival, const ModelRun& right, const Vector& draw) {
+  Vector parameters = rival.values;
+  const std::vector<std::string> own = rival.engine.model.names();
+  const std::vector<std::string> others = right.engine.model.names();
+  for (std::size_t i = 0; i < own.size(); ++i)
+    for (std::size_t k = 0; k < others.size(); ++k)
+      if (own[i] == others[k])
+        parameters[static_cast<Index>(i)] = draw[static_cast<Index>(k)];
+  return parameters.cwiseMax(rival.lower).cwiseMin(rival.upper);
+}
+
+}  // namespace
+
+Refit refit(ModelRun& run, const Knowledge& knowledge,
+            const std::vector<Experiment>& experiments, const std::vector<Vector>& values,
+            const std::vector<Vector>& other_starts) {
+  Refit best = refit_from(run, knowledge, experiments, values, run.values);
+  for (const Vector& start : other_starts) {
+    Refit other = refit_from(run, knowledge, experiments, values, start);
+    if (other.squares < best.squares) best = std::move(other);
+  }
+  return best;
+}
+
 Vector refitted_squares(Rivals& rivals, const std::vector<Experiment>& experiments,
                         std::size_t right, std::size_t rival) {
   const auto& draws = rivals.draws[right];
@@ -84,8 +108,11 @@ Vector refitted_squares(Rivals& rivals, const std::vector<Experiment>& experimen
       values.push_back(
           predict(truth, experiment, in_experiment(truth, experiment, draws[k])).values);
     }
+    ModelRun& own = rivals.runs[rival];
     squares[static_cast<Index>(k)] =
-        refit(rivals.runs[rival], rivals.knowledge[rival], experiments, values).squares;
+        refit(own, rivals.knowledge[rival], experiments, values,
+              {with_same_names(own, truth, draws[k].parameters)})
+            .squares;
   }
   return squares;
 }

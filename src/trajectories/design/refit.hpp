@@ -17,8 +17,10 @@ struct Refit {
 /// Fits the numbers of a model to values of experiments by damped Gauss-Newton steps; uncertain
 /// initial states are eliminated (ModelEvidence).
 /// @param values of each experiment, in units of the noise (Prediction::values).
+/// @param other_starts numbers to begin from besides the estimates; the best end counts.
 Refit refit(ModelRun& run, const Knowledge& knowledge,
-            const std::vector<Experiment>& experiments, const std::vector<Vector>& values);
+            const std::vector<Experiment>& experiments, const std::vector<Vector>& values,
+            const std::vector<Vector>& other_starts = {});
 
 /// The distances of a rival from all draws of the right model after the refit: K.
 Vector refitted_squares(Rivals& rivals, const std::vector<Experiment>& experiments,

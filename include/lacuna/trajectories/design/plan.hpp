@@ -96,7 +96,7 @@ struct PlanProblem {
 enum class PlanAim {
   Rivals,      ///< to distinguish them
   Parameters,  ///< to determine numbers
-  Both,        ///< to distinguish rivals, and with what is left of the time the numbers
+  Both,        ///< to distinguish rivals, and where that is done to determine numbers
 };
 
 /// How rivals are compared; each after the parameters of the other are refitted.

@@ -76,12 +76,14 @@ TEST(ModelsOfAnswer, AreThoseThatItLeavesPossible) {
   const PlanModels diagnosed = models_of_answer(
       R"json({"format":"lacuna.diagnosis/1","augmented_model":)json" + model +
           R"json(,"effects":[{"equation":"w","name":"coulomb-friction","term":"sign(w)",
-             "alternatives":[{"name":"quadratic-drag","term":"w*abs(w)","probability":0.02}]}]})json",
+             "alternatives":[{"name":"quadratic-drag","term":"w*abs(w)",
+             "probability":0.02}]}]})json",
       "d.json");
   ASSERT_EQ(diagnosed.models.size(), 2u);
   EXPECT_EQ(diagnosed.models[0].name, "coulomb-friction");
   EXPECT_EQ(diagnosed.models[1].name, "quadratic-drag");
   EXPECT_EQ(diagnosed.models[1].weight, 0.02);
+  EXPECT_TRUE(diagnosed.has_unfitted);
   EXPECT_EQ(diagnosed.models[1].system.symbolic().coefficient(0, "w*abs(w)"), -0.4);
   EXPECT_EQ(diagnosed.models[1].system.symbolic().coefficient(0, "sign(w)"), 0.0);
   const PlanModels fitted = models_of_answer(
@@ -92,7 +94,8 @@ TEST(ModelsOfAnswer, AreThoseThatItLeavesPossible) {
   ASSERT_EQ(fitted.channels.size(), 1u);
   EXPECT_EQ(fitted.channels[0].noise, 0.25);
   const PlanModels identified = models_of_answer(
-      R"json({"format":"lacuna.identification/1","library_alone":null,"noise":{"w":0.1},"model":)" +
+      R"json({"format":"lacuna.identification/1","library_alone":null,
+              "noise":{"w":0.1},"model":)json" +
           model + "}",
       "i.json");
   ASSERT_EQ(identified.models.size(), 1u);

@@ -74,6 +74,7 @@ TEST(InputSignal, AllFamiliesKeepRangeRateAndHold) {
   limited.rate = 3.0;
   limited.hold = 0.5;
   Random random(3);
+  ASSERT_FALSE(all_input_families().empty());
   for (const InputFamily family : all_input_families())
     for (int draw = 0; draw < 20; ++draw) {
       Vector design(design_size(limited, family));

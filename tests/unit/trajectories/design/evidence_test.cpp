@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: MIT
+#include "trajectories/design/evidence.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Cholesky>
+#include <Eigen/LU>
+#include <cmath>
+
+#include "lacuna/model/files/ode_text.hpp"
+#include "trajectories/design/refit.hpp"
+
+namespace lacuna {
+namespace {
+
+/// Models whose values are linear in their numbers, so that all is a Gaussian that can be
+/// written out: y = a + b u, and y = c u^2.
+PlanProblem gaussian_problem() {
+  const std::string head = "input u hold zero\ndx/dt = -x\nfixed dx/dt: x\n"
+                           "initial x = 0 fixed\n";
+  PlanProblem all;
+  all.models = {{"line", parse_ode_system(head + "param a = 1\nparam b = 2\ny = a + b*u\n", "l")},
+                {"parabola", parse_ode_system(head + "param c = 3\ny = c*u^2\n", "p")}};
+  all.models[0].information = Matrix::Identity(2, 2) * 4.0;
+  all.models[1].information = Matrix::Identity(1, 1) * 9.0;
+  all.inputs = {{"u", -1.0, 1.0}};
+  all.channels = {{"y", 0.5}};
+  return all;
+}
+
+Experiment levels() {
+  Experiment one{Vector::LinSpaced(4, 0.0, 3.0), Matrix(4, 1), Matrix::Ones(4, 1)};
+  one.inputs << -1.0, -0.2, 0.4, 1.0;
+  return one;
+}
+
+constexpr double kWide = 1e6;  // what is taken of unknown numbers adds nothing
+
+Rivals rivals(int draws) {
+  const PlanProblem all = gaussian_problem();
+  Rivals both;
+  for (const PlanModel& model : all.models) {
+    both.runs.push_back(model_run(model, all));
+    both.knowledge.push_back(knowledge_of(model, kWide));
+    both.weights.push_back(0.5);
+    both.draws.push_back(draws_of(both.runs.back(), both.knowledge.back(), draws, 5));
+  }
+  return both;
+}
+
+/// Mean and covariance of the values in units of the noise.
+struct Gaussian {
+  Vector mean;
+  Matrix covariance;
+};
+
+Gaussian line() {
+  Matrix s(4, 2);
+  s << Vector::Ones(4), levels().inputs.col(0);
+  s /= 0.5;
+  return {s * Eigen::Vector2d(1.0, 2.0), Matrix::Identity(4, 4) + s * s.transpose() / 4.0};
+}
+
+Gaussian parabola() {
+  const Vector s = levels().inputs.col(0).cwiseAbs2() / 0.5;
+  return {3.0 * s, Matrix::Identity(4, 4) + s * s.transpose() / 9.0};
+}
+
+/// The expected log ratio of the densities under the first (Kullback and Leibler).
+double divergence(const Gaussian& p, const Gaussian& q) {
+  const Matrix inverse = q.covariance.inverse();
+  const Vector d = p.mean - q.mean;
+  return 0.5 * ((inverse * p.covariance).trace() - 4.0 + d.dot(inverse * d) +
+                std::log(q.covariance.determinant() / p.covariance.determinant()));
+}
+
+TEST(DistinctionOf, IsTheDivergenceOfTheGaussians) {
+  Rivals both = rivals(4000);
+  const DesignEvidence evidence = evidence_of(both, levels(), true);
+  ASSERT_TRUE(evidence.is_finite);
+  const double one = distinction_of(both, evidence, 0, 1, 3.0).log_bayes_factor;
+  const double other = distinction_of(both, evidence, 1, 0, 3.0).log_bayes_factor;
+  // The means of 4000 draws of quadratic forms are known to about 2 %.
+  EXPECT_NEAR(one / divergence(line(), parabola()), 1.0, 0.06);
+  EXPECT_NEAR(other / divergence(parabola(), line()), 1.0, 0.06);
+}
+
+TEST(RepeatedEvidence, IsThatOfTheExperimentMadeAgain) {
+  Rivals both = rivals(6);
+  const DesignEvidence once = evidence_of(both, levels(), true);
+  DesignEvidence twice = once;
+  twice += once;
+  EXPECT_NEAR(distinction_of(both, twice, 0, 1, 3.0).log_bayes_factor,
+              distinction_of(both, repeated(once, 2.0), 0, 1, 3.0).log_bayes_factor, 1e-9);
+  EXPECT_GT(distinction_of(both, twice, 0, 1, 3.0).log_bayes_factor,
+            distinction_of(both, once, 0, 1, 3.0).log_bayes_factor);
+}
+
+TEST(RefittedSquares, AreTheLinearOnesOfALinearModel) {
+  Rivals both = rivals(4);
+  const DesignEvidence evidence = evidence_of(both, levels(), true);
+  const Vector squares = refitted_squares(both, {levels()}, 0, 1);
+  ASSERT_EQ(squares.size(), 4);
+  EXPECT_NEAR(squares.mean(), distinction_of(both, evidence, 0, 1, 3.0).distance, 1e-6);
+}
+
+TEST(LogEvidence, IsTheDensityOfTheGaussian) {
+  Rivals both = rivals(1);
+  Vector values(4);
+  values << -1.0, 2.0, 3.5, 6.0;
+  const Gaussian p = line();
+  const Vector d = values - p.mean;
+  const double expected =
+      -0.5 * (d.dot(p.covariance.inverse() * d) + std::log(p.covariance.determinant()));
+  EXPECT_NEAR(log_evidence(both.runs[0], both.knowledge[0], {levels()}, {values}), expected,
+              1e-6);
+}
+
+TEST(DrawsOf, HaveTheCovarianceOfWhatIsKnown) {
+  PlanProblem all = gaussian_problem();
+  Matrix information(2, 2);
+  information << 4.0, 1.0, 1.0, 2.0;
+  all.models[0].information = information;
+  const ModelRun run = model_run(all.models[0], all);
+  const auto draws = draws_of(run, knowledge_of(all.models[0], kWide), 20000, 3);
+  ASSERT_EQ(draws.size(), 20000u);
+  Matrix covariance = Matrix::Zero(2, 2);
+  Vector mean = Vector::Zero(2);
+  for (const PathNumbers& draw : draws) {
+    const Vector off = draw.parameters - run.values;
+    covariance += off * off.transpose() / 20000.0;
+    mean += off / 20000.0;
+  }
+  EXPECT_LT(mean.norm(), 1e-9) << "in pairs";
+  EXPECT_LT((covariance * information - Matrix::Identity(2, 2)).cwiseAbs().maxCoeff(), 0.06);
+}
+
+TEST(KnowledgeOf, StandardErrorsCountWithoutInformation) {
+  PlanModel model = gaussian_problem().models[1];
+  model.information = Matrix();
+  EXPECT_EQ(knowledge_of(model, 0.5).information(0, 0), 0.0);
+  EXPECT_NEAR(knowledge_of(model, 0.5).proper(0, 0), 1.0 / (1.5 * 1.5), 1e-12) << "half of 3";
+  std::vector<Parameter> parameters = model.system.parameters();
+  parameters.at(0).standard_error = 0.1;
+  model.system = SystemModel(model.system.symbolic(), parameters);
+  EXPECT_NEAR(knowledge_of(model, 0.5).information(0, 0), 100.0, 1e-9);
+}
+
+}  // namespace
+}  // namespace lacuna
