@@ -13,7 +13,7 @@
 
 #include "command.hpp"
 #include "core/base/text.hpp"
-#include "core/files/zip_archive.hpp"
+#include "core/files/zip_writer.hpp"
 #include "lacuna/core/base/error.hpp"
 #include "lacuna/model/export/export_model.hpp"
 #include "model/export/fmu.hpp"
@@ -112,7 +112,7 @@ constexpr const char* kLibraryEnding = ".so";
 std::string fmu_archive(const SystemModel& model) {
   const FmuSources sources = fmu_sources(model);
   const std::string name = kFmuName;
-  return zip_archive({{"modelDescription.xml", sources.description},
+  return zip_of({{"modelDescription.xml", sources.description},
                       {"sources/" + name + ".c", sources.code},
                       {std::string("binaries/") + kPlatform + "/" + name + kLibraryEnding,
                        compiled(sources.code)}});

@@ -259,7 +259,8 @@ void declare_options(CLI::App& app, SimulateArguments& options) {
   app.add_option("--x0", options.x0,
                  "Start: one number per state, in the order of the model; else its `initial`")
       ->type_name("v1,v2,...");
-  app.add_option("--t-start", options.t_start, "First time, in the model's time unit; default: that of the initial values, or 0")
+  app.add_option("--t-start", options.t_start,
+                 "First time, in the model's time unit; else that of the initial values, or 0")
       ->capture_default_str();
   app.add_option("--t-end", options.t_end, "Last time, in the model's time unit")->required();
   app.add_option("--dt", options.step,

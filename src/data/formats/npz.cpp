@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "data/sheets/zip_archive.hpp"
+#include "core/files/zip_reader.hpp"
 #include "named_arrays.hpp"
 #include "npy.hpp"
 

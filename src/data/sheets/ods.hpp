@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "zip_archive.hpp"
+#include "core/files/zip_reader.hpp"
 
 namespace lacuna {
 

@@ -6,7 +6,7 @@
 #include "core/base/text.hpp"
 #include "data/sheets/ods.hpp"
 #include "data/sheets/xlsx.hpp"
-#include "data/sheets/zip_archive.hpp"
+#include "core/files/zip_reader.hpp"
 #include "lacuna/core/base/error.hpp"
 
 namespace lacuna {

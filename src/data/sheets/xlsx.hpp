@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "zip_archive.hpp"
+#include "core/files/zip_reader.hpp"
 
 namespace lacuna {
 

@@ -107,10 +107,9 @@ void judge(const Dataset& data, const RefinedModel& refined, IdentificationResul
     fit.misfit = refined.misfit[static_cast<std::size_t>(*tested)];
     fit.fits_to_noise = refined.fits_to_noise[static_cast<std::size_t>(*tested)];
     if (!fit.fits_to_noise || *fit.fits_to_noise) continue;
+    const std::string off = format_number(*fit.misfit, 2) + " times the measurement noise";
     fit.doubt = "d" + fit.equation + "/dt: trajectories of the model " +
-                (std::isfinite(*fit.misfit)
-                     ? "are off by " + format_number(*fit.misfit, 2) + " times the measurement noise"
-                     : "leave the range of numbers");
+                (std::isfinite(*fit.misfit) ? "are off by " + off : "leave the range of numbers");
     result.warnings.push_back(fit.doubt);
   }
 }

@@ -194,7 +194,8 @@ std::vector<Parameter> read_parameters(const JsonPlace& list, FirstPaths& taken)
                         .standard_error = read_error(entry)};
     if (const auto interval = entry.find("ci95")) parameter.ci95 = read_interval(*interval);
     if (const std::string problem = range_problem(parameter); !problem.empty())
-      entry.fail("parameter '" + parameter.name + "': " + problem, "mend value, range or deviation");
+      entry.fail("parameter '" + parameter.name + "': " + problem,
+                 "mend value, range or deviation");
     parameters.push_back(std::move(parameter));
   }
   return parameters;

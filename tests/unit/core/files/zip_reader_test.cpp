@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "data/sheets/zip_archive.hpp"
+#include "core/files/zip_reader.hpp"
 
 #include <gtest/gtest.h>
 
@@ -12,7 +12,7 @@ namespace {
 
 using testing::expect_error;
 
-TEST(ZipArchive, EntriesAreThoseThatWereWritten) {
+TEST(ZipReader, EntriesAreThoseThatWereWritten) {
   const std::string bytes = testing::zip_archive({{"a.txt", "hello"}, {"b/c", ""}});
   const ZipArchive archive = open_zip(bytes, "a.zip", "save it again");
   ASSERT_EQ(archive.entries.size(), 2u);
@@ -22,7 +22,7 @@ TEST(ZipArchive, EntriesAreThoseThatWereWritten) {
   EXPECT_EQ(find_entry(archive, "x"), nullptr);
 }
 
-TEST(ZipArchive, LargeAndDamagedEntriesAreRefused) {
+TEST(ZipReader, LargeAndDamagedEntriesAreRefused) {
   const std::string bytes = testing::zip_archive({{"a.txt", "hello"}});
   const ZipArchive archive = open_zip(bytes, "a.zip", "save it again");
   expect_error<DataError>([&] { unpacked(archive, archive.entries[0], 4); }, "a.zip",
@@ -39,7 +39,7 @@ TEST(ZipArchive, LargeAndDamagedEntriesAreRefused) {
                           "cannot be as large", "");
 }
 
-TEST(ZipArchive, AnArchiveCutAnywhereIsRefused) {
+TEST(ZipReader, AnArchiveCutAnywhereIsRefused) {
   const std::string bytes = testing::zip_archive({{"a.txt", "hello"}});
   ASSERT_GT(bytes.size(), 22u);
   ASSERT_FALSE(bytes.empty());

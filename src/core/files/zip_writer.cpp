@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "zip_archive.hpp"
+#include "zip_writer.hpp"
 
 #include <zlib.h>
 
 #include <cstdint>
+#include <initializer_list>
 #include <limits>
 
 #include "lacuna/core/base/error.hpp"
@@ -19,20 +20,27 @@ constexpr std::uint16_t kVersion = 20, kNamesAreUtf8 = 0x0800, kFirstDay = 0x002
 constexpr std::uint16_t kMadeBy = 0x0314;
 constexpr std::uint32_t kMode = 0100755U << 16U;
 
-std::string number(std::uint64_t value, int bytes) {
+/// A number of so many bytes, the lowest first.
+struct Field {
+  std::uint64_t value;
+  unsigned bytes;
+};
+
+std::string fields(std::initializer_list<Field> all) {
   std::string text;
-  for (int i = 0; i < bytes; ++i)
-    text += static_cast<char>(static_cast<unsigned char>(value >> (8U * static_cast<unsigned>(i))));
+  for (const Field& field : all)
+    for (unsigned i = 0; i < field.bytes; ++i)
+      text += static_cast<char>(static_cast<unsigned char>(field.value >> (8U * i)));
   return text;
 }
 
 /// From the version up to the lengths of name and extra field, which both headers share.
-std::string facts(const ZipEntry& entry) {
+std::string facts(const ZippedFile& entry) {
   const uLong sum = crc32_z(0, reinterpret_cast<const Bytef*>(entry.bytes.data()),
                             entry.bytes.size());
-  return number(kVersion, 2) + number(kNamesAreUtf8, 2) + number(0, 2) + number(0, 2) +
-         number(kFirstDay, 2) + number(sum, 4) + number(entry.bytes.size(), 4) +
-         number(entry.bytes.size(), 4) + number(entry.name.size(), 2) + number(0, 2);
+  return fields({{kVersion, 2}, {kNamesAreUtf8, 2}, {0, 2}, {0, 2}, {kFirstDay, 2}, {sum, 4},
+                 {entry.bytes.size(), 4}, {entry.bytes.size(), 4}, {entry.name.size(), 2},
+                 {0, 2}});
 }
 
 void check_size(std::size_t size, const std::string& name) {
@@ -42,19 +50,18 @@ void check_size(std::size_t size, const std::string& name) {
 
 }  // namespace
 
-std::string zip_archive(const std::vector<ZipEntry>& entries) {
+std::string zip_of(const std::vector<ZippedFile>& entries) {
   std::string files, directory;
-  for (const ZipEntry& entry : entries) {
+  for (const ZippedFile& entry : entries) {
     check_size(entry.bytes.size() + files.size(), entry.name);
     const std::string shared = facts(entry);
-    directory += number(kCentralHeader, 4) + number(kMadeBy, 2) + shared + number(0, 2) +
-                 number(0, 2) + number(0, 2) + number(kMode, 4) + number(files.size(), 4) +
-                 entry.name;
-    files += number(kLocalHeader, 4) + shared + entry.name + entry.bytes;
+    directory += fields({{kCentralHeader, 4}, {kMadeBy, 2}}) + shared +
+                 fields({{0, 2}, {0, 2}, {0, 2}, {kMode, 4}, {files.size(), 4}}) + entry.name;
+    files += fields({{kLocalHeader, 4}}) + shared + entry.name + entry.bytes;
   }
-  return files + directory + number(kEnd, 4) + number(0, 2) + number(0, 2) +
-         number(entries.size(), 2) + number(entries.size(), 2) + number(directory.size(), 4) +
-         number(files.size(), 4) + number(0, 2);
+  return files + directory +
+         fields({{kEnd, 4}, {0, 2}, {0, 2}, {entries.size(), 2}, {entries.size(), 2},
+                 {directory.size(), 4}, {files.size(), 4}, {0, 2}});
 }
 
 }  // namespace lacuna

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "core/files/zip_archive.hpp"
+#include "core/files/zip_writer.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,8 +9,8 @@
 namespace lacuna {
 namespace {
 
-TEST(ZipArchive, BytesAreThoseOfTheFormat) {
-  const std::string archive = zip_archive({{"a", "123456789"}});
+TEST(ZipWriter, BytesAreThoseOfTheFormat) {
+  const std::string archive = zip_of({{"a", "123456789"}});
   // Local header 30 + name 1 + 9 bytes, central header 46 + 1, end 22.
   ASSERT_EQ(archive.size(), 30u + 1u + 9u + 46u + 1u + 22u);
   EXPECT_EQ(archive.substr(0, 4), "PK\x03\x04");
@@ -20,12 +20,12 @@ TEST(ZipArchive, BytesAreThoseOfTheFormat) {
   EXPECT_EQ(archive.substr(40, 4), "PK\x01\x02");
 }
 
-TEST(ZipArchive, OtherProgramsReadIt) {
+TEST(ZipWriter, OtherProgramsReadIt) {
   const std::string python = testing::python_with("zipfile");
   if (python.empty()) GTEST_SKIP() << "there is no Python";
   const testing::TemporaryFolder folder;
   const std::string path =
-      folder.write("a.zip", zip_archive({{"one.txt", "12"}, {"in/two.txt", ""}, {"3", "777"}}));
+      folder.write("a.zip", zip_of({{"one.txt", "12"}, {"in/two.txt", ""}, {"3", "777"}}));
   const std::string script = folder.write(
       "read.py", "import sys, zipfile\nz = zipfile.ZipFile(sys.argv[1])\n"
                  "assert z.testzip() is None\n"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "data/sheets/zip_archive.hpp"
+#include "core/files/zip_reader.hpp"
 
 #include <zlib.h>
 
