@@ -39,7 +39,7 @@ class RadauFlow {
   /// @param accuracy of each state: errors of steps below are let pass; empty: none are.
   explicit RadauFlow(Vector accuracy = {}) : accuracy_(std::move(accuracy)) {}
 
-  /// Steps whose error is a smaller fraction of a state are let pass unless told otherwise.
+  /// Steps whose error is a smaller fraction of a state are let pass by default.
   static constexpr double kTolerance = 1e-8;
 
   /// Another path begins: nothing of the last one is remembered.
