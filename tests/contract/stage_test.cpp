@@ -19,7 +19,12 @@ class ChangeOptions final : public OptionVisitor {
  public:
   void field(const FieldInfo& info, double& value) override { change(info, value); }
   void field(const FieldInfo& info, int& value) override {
-    value += info.max && value + 2 > *info.max ? -2 : 2;
+    for (const int step : {2, -2, 1, -1}) {
+      const double other = value + step;
+      if ((info.min && other < *info.min) || (info.max && other > *info.max)) continue;
+      value += step;
+      return;
+    }
   }
   void field(const FieldInfo&, bool& value) override { value = !value; }
   void field(const FieldInfo&, std::string& value) override { value += "x"; }
@@ -28,7 +33,9 @@ class ChangeOptions final : public OptionVisitor {
     change(info, *value);
   }
   void field(const FieldInfo& info, std::optional<int>& value) override {
-    value = value.value_or(info.min ? static_cast<int>(*info.min) : 1) + 2;
+    // Odd where the least one is: a window has a middle, and is longer than a degree.
+    const int least = value.value_or(info.min ? static_cast<int>(*info.min) : 1);
+    value = info.max && least + 8 > *info.max ? least + 2 : least + 8;
   }
   void field(const FieldInfo&, std::vector<std::string>& value) override {
     value.push_back("x*y");

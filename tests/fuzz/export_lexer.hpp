@@ -32,7 +32,10 @@ inline const ForeignLanguage& foreign_language(const std::string& format) {
         with({"include",    "math",       "h",    "static",      "inline",      "double",
               "const",      "return",     "void", "lacuna_rate", "lacuna_sign", "lacuna_step",
               "lacuna_min", "lacuna_max", "t",    "state_",      "input_",      "rate_",
-              "v",          "w",          "fabs", "pow"}));
+              "v",          "w",          "fabs", "pow",         "int",         "for",
+              "k",          "lacuna_i",   "part", "stage",       "step_",       "at_",
+              "output_",    "jacobian_",  "lacuna_output",       "lacuna_initial",
+              "lacuna_jacobian",          "lacuna_advance",      "lacuna_parameters"}));
     return ForeignLanguage{"//", "\"'", true, false, false, std::move(more)};
   };
   static const std::vector<std::pair<std::string, ForeignLanguage>> languages = {
@@ -46,20 +49,22 @@ inline const ForeignLanguage& foreign_language(const std::string& format) {
                                           "cos",     "tan",     "arcsin",  "arccos",
                                           "arctan",  "tanh",    "exp",     "log",
                                           "sqrt",    "abs",     "sign",    "heaviside",
-                                          "minimum", "maximum"}}},
+                                          "minimum", "maximum", "output",  "initial",
+                                          "parameters"}}},
       {"matlab",
        {"%", "\"'", false, false, false,
         with({"function", "rate", "lacuna_rate", "lacuna_real", "lacuna_step", "lacuna_min",
               "lacuna_max", "t", "state", "input", "end", "v", "w", "if", "elseif", "imag",
-              "NaN", "abs", "sign"})}},
+              "NaN", "abs", "sign", "output", "initial", "parameter"})}},
       {"modelica",
        {"//", "\"", true, false, false,
         with({"model", "LacunaModel", "input", "Real", "unit", "equation", "der", "end", "time",
-              "delay", "if", "then", "else", "abs", "sign", "min", "max"})}},
+              "delay", "if", "then", "else", "abs", "sign", "min", "max", "output", "parameter",
+              "start", "fixed", "true"})}},
       {"spice",
        {"*", "", false, true, false,
         with({"subckt", "lacuna_model", "ends", "I", "v", "time", "ln", "sgn", "abs", "min",
-              "max", "pow", "pwr"})}},
+              "max", "pow", "pwr", "V", "ic"})}},
       {"latex",
        {"%",
         "",

@@ -66,7 +66,8 @@ def table_cases():
         "text": (good + "6,one,1\n").encode(), "hex": (good + "6,0x1g,1\n").encode(),
         "infinite": (good + "6,inf,1\n").encode(), "huge": (good + "6,1e400,1\n").encode(),
         "minus-infinite": (good + "6,1,-inf\n").encode(),
-        "backwards": (good + "1,1,1\n").encode(), "same-time": (good + rows[-1] + "\n").encode(),
+        "backwards": (good + "1,1,1\n").encode(),
+        "often-the-same-time": (good + 9 * (rows[-1] + "\n")).encode(),
         "infinite-time": (good + "inf,1,1\n").encode(),
         "twice-named": good.replace("t,x,y", "t,x,x").encode(),
         "twice-after-cleaning": good.replace("t,x,y", "t,a b,a-b").encode(),
@@ -81,8 +82,7 @@ def table_cases():
         "gz-damaged": gzip.compress(GOOD)[:30] + b"\xff" * 40, "gz-empty": gzip.compress(b""),
         "gz-in-gz": gzip.compress(gzip.compress(GOOD)),
         "one-line": GOOD.replace(b"\n", b","), "quote-open": GOOD + b'6,"1,1\n',
-        "decimal-comma-mix": GOOD + b"6;1;1\n", "dates": b"t,x\n" + b"".join(
-            b"2024-01-%02d,1.5\n" % d for d in range(1, 29)),
+        "decimal-comma-mix": GOOD + b"6;1;1\n",
         "json": json.dumps(MODEL).encode(), "xml": b"<xml><a/></xml>\n" * 20,
         "very-long-field": b"t,x\n0," + b"9" * 100000 + b"e9\n1,1\n2,2\n",
     }
@@ -100,6 +100,9 @@ def table_cases():
         "escape": GOOD.replace(b"t,x,y", b"t,x\x1b[31m [V\x1b],y"),
         "odd-names": GOOD.replace(b"t,x,y", b"t,sin,pi"), "no-header": GOOD[6:],
         "missing": GOOD.replace(b",0.995004165", b","), "preamble": b"Scope 3\nmodel,7\n" + GOOD,
+        "repeated-row": (good + rows[-1] + "\n").encode(),
+        "dates": b"t,x,y\n" + b"".join(b"2024-01-%02d,%s\n" % (d + 1, rows[d].split(",", 1)[1].encode())
+                                       for d in range(28)),
     }
     for name, content in fine.items():
         yield Case("table-" + name, "identify r.csv --degree 1", 0, "Equations",

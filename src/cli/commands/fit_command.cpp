@@ -89,6 +89,7 @@ int fit_command(const Session& session, FitArguments options) {
   check_outputs(files,
                 with_report({{"--model-out", options.model_out}, {"--json", options.json}},
                             options.report));
+  options.fit.effort = options.run.effort;
   const std::vector<std::string> models = take_models(options);
   if (models.size() > 1) return compare_models(session, options, models);
   const Fit found = answer(options, make_context(session, options.run));
@@ -108,7 +109,7 @@ int fit_command(const Session& session, FitArguments options) {
 Fit answer(const FitRequest& request, const RunContext& context) {
   const SystemModel system = load_system(request.model);
   const OdeModel given = with_holds(system.model(), request.data);
-  context.report("reading data", 0.0);
+  context.unhurried().report("reading data", 0.0);
   const Dataset data = read(given, request.data, request);
   const Dataset held_out =
       request.held_out.empty() ? Dataset{} : read(given, request.held_out, request);
@@ -166,6 +167,7 @@ Command declare_fit(CLI::App& root) {
                         "Digits of numbers in a .ode file of --model-out: auto (two of the 95 % "
                         "interval), full, or so many; JSON has all [default: auto]");
   declare_report_options(*app, options->report);
+  declare_effort_options(*app, options->run);
   declare_run_options(*app, options->run);
   return {app, [options](const Session& session) { return fit_command(session, *options); }};
 }

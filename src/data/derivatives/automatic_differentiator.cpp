@@ -76,7 +76,7 @@ Stage<Differentiator> best_for(const Dataset& data, const std::optional<Vector>&
                                int draws) {
   const Dataset part = short_middle(data);
   const Vector sigma = noise_of(part, noise);
-  if (!(sigma.maxCoeff() > 0.0)) return FiniteDifferences{};
+  if (sigma.size() == 0 || !(sigma.maxCoeff() > 0.0)) return FiniteDifferences{};
   const Pilot pilots[] = {pilot_of(SmoothingSpline{}, part), pilot_of(KalmanSmoother{}, part)};
   Stage<Differentiator> best = FiniteDifferences{};
   double least = std::numeric_limits<double>::infinity();

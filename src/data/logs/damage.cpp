@@ -75,10 +75,9 @@ BadLine::Kind kind_of_bad_line(std::string_view line, bool has_end, bool is_shor
 
 std::vector<std::string> notes_of_damage(const std::vector<BadLine>& lines, std::size_t samples,
                                          std::size_t last_sample, const std::string& source) {
-  // A serial line that loses one line in a hundred still gives a record; what is worse is a
-  // table of another form. Bytes that no text has are damage for certain, so more may have
-  // them; with half or twice of both the same files of loggers are read.
-  constexpr double kOthers = 0.01, kStray = 0.1;
+  // Bytes that no text has are damage for certain: a serial line that loses one line in ten
+  // still gives a record. With half or twice of it the same files of loggers are read.
+  constexpr double kStray = 0.1;
   const auto all = static_cast<double>(samples);
   std::vector<BadLine> damaged = lines;
   std::vector<std::string> notes;
@@ -97,11 +96,11 @@ std::vector<std::string> notes_of_damage(const std::vector<BadLine>& lines, std:
   note_few(damaged, BadLine::Kind::Stray, kStray * all, "with bytes that no text has", source,
            notes);
   note_few(damaged, BadLine::Kind::Cut, 1.0, "cut off at the end", source, notes);
-  // Where bytes are damaged, parts of lines are lost too.
+  // Where bytes are damaged, parts of lines are lost too; elsewhere a bad line is an error.
   const bool is_serial = std::any_of(damaged.begin(), damaged.end(), [](const BadLine& line) {
     return line.kind == BadLine::Kind::Stray;
   });
-  note_few(damaged, BadLine::Kind::Other, (is_serial ? kStray : kOthers) * all,
+  note_few(damaged, BadLine::Kind::Other, is_serial ? kStray * all : 0.0,
            "that cannot be read", source, notes);
   return notes;
 }

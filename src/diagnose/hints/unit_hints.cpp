@@ -62,22 +62,33 @@ SuggestedFactor suggested_factor(const OdeModel& model, const Dataset& data,
   return {std::exp(best), std::exp(least)};
 }
 
-Hint hint_for_unit(const Quantity& column, const std::string& wanted,
-                   const SuggestedFactor& found, const HintOptions& options) {
+/// A column in a unit that nothing converts to the one of the model.
+struct OtherUnit {
+  Quantity column;
+  std::string wanted;
+};
+
+Hint hint_for_factor(const OtherUnit& one, double factor) {
   constexpr int kDigits = 4;  // more than a factor is known to
-  Hint hint{HintKind::ChannelUnit,
-            column.name + " is in " + column.unit + " in the records and in " + wanted +
-                " in the model, and nothing converts these",
-            "give the column in " + wanted + ", or the model the unit " + column.unit,
-            Withheld::Nothing};
-  if (!(found.remainder < options.slip_remainder)) {
-    hint.message += "; the records do not show a factor";
-    return hint;
-  }
-  hint.message += "; the records suggest that 1 " + column.unit + " is " +
-                  format_number(found.factor, kDigits) + " " + wanted;
-  hint.withheld = Withheld::Answer;
-  return hint;
+  const Quantity& column = one.column;
+  return {HintKind::ChannelUnit,
+          column.name + " is in " + column.unit + " in the records and in " + one.wanted +
+              " in the model, and nothing converts these; the records suggest that 1 " +
+              column.unit + " is " + format_number(factor, kDigits) + " " + one.wanted,
+          "give the column in " + one.wanted + ", or the model the unit " + column.unit,
+          Withheld::Answer};
+}
+
+/// "th (V for rad), w (V for rad/s)": an oscilloscope gives volts of every channel.
+Hint hint_without_factor(const std::vector<OtherUnit>& all) {
+  std::vector<std::string> columns;
+  for (const OtherUnit& one : all)
+    columns.push_back(one.column.name + " (" + one.column.unit + " for " + one.wanted + ")");
+  return {HintKind::ChannelUnit,
+          "nothing converts the units of the records to those of the model: " +
+              join(columns, ", ") + "; values are taken as they are, and show no factor",
+          "where a factor belongs between them, give the columns in the units of the model",
+          Withheld::Nothing};
 }
 
 }  // namespace
@@ -85,17 +96,24 @@ Hint hint_for_unit(const Quantity& column, const std::string& wanted,
 std::vector<Hint> unit_hints(const OdeModel& model, const BoundRecords& records,
                              const RateWindows& windows, const HintOptions& options) {
   std::vector<Hint> hints;
+  std::vector<OtherUnit> without_factor;
   const Dataset& data = records.data;
   const auto look = [&](const std::vector<Quantity>& columns,
                         const std::vector<Quantity>& wanted, Index first) {
-    for (std::size_t i = 0; i < wanted.size() && i < columns.size(); ++i)
-      if (do_not_convert(columns[i].unit, wanted[i].unit))
-        hints.push_back(hint_for_unit(
-            columns[i], wanted[i].unit,
-            suggested_factor(model, data, windows, first + static_cast<Index>(i)), options));
+    for (std::size_t i = 0; i < wanted.size() && i < columns.size(); ++i) {
+      if (!do_not_convert(columns[i].unit, wanted[i].unit)) continue;
+      const OtherUnit one{columns[i], wanted[i].unit};
+      const SuggestedFactor found =
+          suggested_factor(model, data, windows, first + static_cast<Index>(i));
+      if (found.remainder < options.slip_remainder)
+        hints.push_back(hint_for_factor(one, found.factor));
+      else
+        without_factor.push_back(one);
+    }
   };
   look(data.states, model.states(), 0);
   look(data.inputs, model.inputs(), model.dimension());
+  if (!without_factor.empty()) hints.push_back(hint_without_factor(without_factor));
   return hints;
 }
 

@@ -248,12 +248,6 @@ bool has_unmeasured_states(const OdeModel& nominal, const Dataset& data) {
   return false;
 }
 
-/// The records that may choose, in the variables of the model as it was given.
-Dataset choosing_part(const Dataset& data, bool split, const GapOptions& gaps) {
-  Dataset usable = usable_records(data, gaps).data;
-  return split ? split_in_time(usable).find : usable;
-}
-
 /// Hypotheses in the order in which they are judged; none where no effect may be named.
 std::vector<Stage<Hypothesis>> hypotheses_of(const DiagnosisOptions& options,
                                              const std::vector<Hint>& hints) {
@@ -278,8 +272,8 @@ Diagnosis diagnose(const OdeModel& model, const Dataset& measured, const Dataset
   std::vector<Hint> hints = hints_on(nominal, records, options.decision.hints);
   if (withheld_by(hints) == Withheld::Answer) return withheld_answer(nominal, std::move(hints));
   const std::vector<Stage<Hypothesis>> hypotheses = hypotheses_of(options, hints);
-  const std::vector<StateNoise> shown = noise_of(records.find);
   const OdeModel known = withheld_by(hints) == Withheld::Claims ? held(nominal) : nominal;
+  const BoundRecords as_measured = records.find;
   preprocess(known, options, context.unhurried(), records);
 
   const RunContext searching = with_time_for_an_answer(context);
@@ -287,8 +281,7 @@ Diagnosis diagnose(const OdeModel& model, const Dataset& measured, const Dataset
   given.memory->input_noise = noise_of_inputs(records.find.data);
   if (!hypotheses.empty() && has_unmeasured_states(nominal, records.find.data))
     given.memory->start =
-        fitted_start(model, known, choosing_part(data, records.continued, options.decision.gaps),
-                     shown, context);
+        fitted_start(model, known, as_measured.data, noise_of(as_measured), context);
   JudgedModel inputs = judge_holds(given, hypotheses);
   const RunContext unhurried = context.unhurried();
   const Problem problem{*inputs.model, records.find, options, unhurried, given.memory};

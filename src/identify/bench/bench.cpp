@@ -106,6 +106,7 @@ BenchSummary summary_of(const BenchCell& cell) {
 Dataset with_relative_noise(Dataset data, double fraction, std::uint64_t seed) {
   check_argument(fraction >= 0.0 && std::isfinite(fraction), "with_relative_noise",
                  "the noise is negative or not finite", "give a fraction such as 0.01");
+  check_form(data);
   if (fraction == 0.0) return data;
   Random random(seed);
   for (Trajectory& trajectory : data.trajectories) {

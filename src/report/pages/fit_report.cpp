@@ -11,6 +11,7 @@
 #include "lacuna/model/equations/rounding.hpp"
 #include "lacuna/model/files/model_file.hpp"
 #include "report/json/adequacy_json.hpp"
+#include "report/json/stages_json.hpp"
 
 namespace lacuna {
 namespace {
@@ -245,6 +246,8 @@ std::string format_json(const Fit& fit) {
   json["searches"] = {{"starts", fit.starts}, {"agreeing", fit.agreeing}};
   json["substeps"] = fit.substeps;
   json["hints"] = hints_json(fit);
+  json["stages"] = stages_json(fit.stages);
+  json["answer_from"] = answer_from(fit.stages);
   json["notes"] = fit.notes;
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

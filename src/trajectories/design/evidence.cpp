@@ -13,8 +13,8 @@
 namespace lacuna {
 namespace {
 
-/// What standard errors in the model say of its free numbers, and where they say nothing the
-/// deviation that is taken instead.
+/// Standard errors, or prior deviations, of the free numbers in the model, and the deviation
+/// that is taken where there is none.
 struct GivenDeviations {
   Vector known;  ///< P; 0: nothing
   Vector taken;  ///< P, > 0
@@ -35,7 +35,7 @@ GivenDeviations given_deviations(const SystemModel& system, double spread) {
   }
   for (const Parameter& parameter : system.parameters()) {
     if (!parameter.free) continue;
-    given.known[p] = parameter.standard_error.value_or(0.0);
+    given.known[p] = parameter.standard_error.value_or(parameter.deviation.value_or(0.0));
     // Of a uniform distribution over the range.
     if (parameter.min && parameter.max)
       given.taken[p] = std::min(given.taken[p], (*parameter.max - *parameter.min) /

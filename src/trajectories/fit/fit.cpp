@@ -259,39 +259,85 @@ std::string sentence_of(const FitStanding& standing) {
          "; the samples are too few to show whether the residuals are noise.";
 }
 
-Fit fit(const SystemModel& system, const Dataset& records, const Dataset& held_out_records,
-        const FitOptions& options, const RunContext& context) {
+namespace {
+
+/// Records that begin where initial values hold.
+struct FitData {
+  Dataset data, held_out;
+};
+
+/// @throws DataError and ModelError as fit().
+FitData usable(const SystemModel& system, const Dataset& records,
+               const Dataset& held_out_records, const FitOptions& options) {
   check_flow(system.symbolic(), "fit");
   check_is_view(system.model(), records);
   check_columns(records, "fit");
   check_known(options.noise, records, "fit");
   const std::optional<double> begin =
       options.start_time ? options.start_time : system.symbolic().initial_time();
-  const Dataset data = begun_at(records, begin);
-  const Dataset held_out = begun_at(held_out_records, begin);
-  if (!held_out.trajectories.empty()) check_is_view(system.model(), held_out);
-  check_columns(held_out, "fit");
-  check_number_range(data);
-  check_number_range(held_out);
-  check_are_others(data, held_out);
+  FitData all{begun_at(records, begin), begun_at(held_out_records, begin)};
+  if (!all.held_out.trajectories.empty()) check_is_view(system.model(), all.held_out);
+  check_columns(all.held_out, "fit");
+  check_number_range(all.data);
+  check_number_range(all.held_out);
+  check_are_others(all.data, all.held_out);
+  return all;
+}
+
+ProfileUse profiles_for(const FitOptions& options) {
+  if (options.profile) return ProfileUse::Curves;
+  switch (options.effort) {
+    case Thoroughness::Quick:
+      return ProfileUse::None;
+    case Thoroughness::Full:
+      return ProfileUse::Always;
+    case Thoroughness::Normal:
+      break;
+  }
+  return ProfileUse::Cheap;
+}
+
+/// What a fit did, and what it left out for want of effort or of time.
+std::vector<StageDone> stages_of(const FitOptions& options, const FitSearch& search,
+                                 const KnownNumbers& known) {
+  const bool quick = options.effort == Thoroughness::Quick;
+  const auto stage = [&](const char* name, bool needs_effort, bool in_time) -> StageDone {
+    if (quick && needs_effort) return {name, false, kIsQuick};
+    return in_time ? StageDone{name} : StageDone{name, false, kTimeIsUp};
+  };
+  return {{"fit"},
+          stage("starts", true, search.in_time),
+          stage("profiles", !options.profile, known.in_time)};
+}
+
+}  // namespace
+
+Fit fit(const SystemModel& system, const Dataset& records, const Dataset& held_out_records,
+        const FitOptions& options, const RunContext& context) {
+  const auto [data, held_out] = usable(system, records, held_out_records, options);
   const ParametrisedModel model = system.parametrised();
   FitEngine engine = fit_engine(model, fit_records(model, data, options.noise));
   const FitUnknowns unknowns = fit_unknowns(model, local_parameters(system, model));
   check_enough(engine, unknowns);
   const FitPoint start{model.values().transpose().replicate(engine.records.records(), 1),
                        engine.records.starts};
-  context.report("fitting", 0.0);
+  context.unhurried().report("fitting", 0.0);
   const FitSearch search =
       search_fit(engine, unknowns, start,
-                 {.restarts = options.restarts, .spread = options.spread}, context);
+                 {.restarts = options.restarts,
+                  .spread = options.spread,
+                  .only_given = options.effort == Thoroughness::Quick},
+                 context);
   FitMinimum best = search.best;
   if (!std::isfinite(best.path.cost))
     throw DataError("model", "it has no free run along the records that stays finite",
                     "start from other numbers, or give ranges to its parameters");
-  context.report("errors of the numbers", 0.9);
+  context.unhurried().report("errors of the numbers", 0.9);
   Fit result{.model = system};
   result.degrees_of_freedom = degrees_of_freedom(engine, unknowns);
-  const KnownNumbers known = known_numbers(engine, unknowns, best, options.profile, context);
+  const KnownNumbers known =
+      known_numbers(engine, unknowns, best, profiles_for(options), context);
+  result.stages = stages_of(options, search, known);
   best = known.minimum;
   const FitErrors& errors = known.errors;
   result.quality = quality_of(engine, best.point, best.path, options.prediction, 0);
@@ -312,6 +358,8 @@ Fit fit(const SystemModel& system, const Dataset& records, const Dataset& held_o
   if (!held_out.trajectories.empty())
     result.gap = gap_of(model, best.point, held_out, usual_states(best.path), options);
   result.notes = notes_of(result);
+  if (const std::string line = left_out_line(result.stages); !line.empty())
+    result.notes.push_back(line);
   if (!held_out.trajectories.empty() && !result.gap) result.notes.push_back(no_gap(options));
   if (const std::string note = start_note(system, data); !note.empty())
     result.notes.push_back(note);

@@ -96,19 +96,30 @@ void set_per_record(const FitEngine& engine, const FitUnknowns& unknowns,
 }  // namespace
 
 KnownNumbers known_numbers(FitEngine& engine, const FitUnknowns& unknowns,
-                           const FitMinimum& minimum, bool whole_curves,
+                           const FitMinimum& minimum, ProfileUse use,
                            const RunContext& context) {
   KnownNumbers known{minimum, {}, 0.0, {}};
+  const RunContext needed = context.unhurried();
+  const bool follow_profiles =
+      use == ProfileUse::Curves || use == ProfileUse::Always ||
+      (use == ProfileUse::Cheap && profile_work(engine, unknowns) <= kModerateWork);
   known.reach =
       student_quantile_975(std::max(1.0, degrees_of_freedom(engine, unknowns)));
   for (int round = 0;; ++round) {
-    known.errors = errors_at(engine, unknowns, known.minimum, context);
+    known.errors = errors_at(engine, unknowns, known.minimum, needed);
     known.profiles.assign(unknowns.global.size(), std::nullopt);
-    if (!whole_curves && profile_work(engine, unknowns) > kModerateWork) return known;
-    const auto better = add_profiles(engine, unknowns, known, whole_curves, context);
+    if (!follow_profiles) return known;
+    std::optional<FitMinimum> better;
+    try {
+      better = add_profiles(engine, unknowns, known, use == ProfileUse::Curves, context);
+    } catch (const OutOfTime&) {
+      known.profiles.assign(unknowns.global.size(), std::nullopt);
+      known.in_time = false;
+      return known;
+    }
     if (!better || round == kMostRounds) return known;
     constexpr int kIterations = 60;
-    known.minimum = minimise(engine, unknowns, better->point, {}, kIterations, context);
+    known.minimum = minimise(engine, unknowns, better->point, {}, kIterations, needed);
   }
 }
 

@@ -11,18 +11,27 @@
 
 namespace lacuna {
 
+/// Which profiles of the likelihood are followed.
+enum class ProfileUse {
+  None,
+  Cheap,   ///< ends of intervals, where the work is moderate
+  Always,  ///< ends of intervals
+  Curves,  ///< ends of intervals and points between them
+};
+
 /// A minimum with what is known of its numbers.
 struct KnownNumbers {
   FitMinimum minimum;  ///< that of the search, or a lower one that a profile led to
   FitErrors errors;
   double reach = 0.0;  ///< quantile of Student's t distribution
   std::vector<std::optional<NumberProfile>> profiles;  ///< G
+  bool in_time = true;  ///< whether no deadline came before the last profile
 };
 
-/// Errors, and profiles of the likelihood where these are wanted or the work is moderate.
-/// Numbers in directions of which nothing is known have none.
+/// Errors, and profiles of the likelihood. Numbers in directions of which nothing is known have
+/// none. Past the deadline there are no profiles.
 KnownNumbers known_numbers(FitEngine& engine, const FitUnknowns& unknowns,
-                           const FitMinimum& minimum, bool whole_curves,
+                           const FitMinimum& minimum, ProfileUse use,
                            const RunContext& context);
 
 /// Estimates with standard errors and intervals. A number whose likelihood reaches the end of

@@ -201,16 +201,17 @@ Disturbances disturbances_of(const FitEngine& engine, const FitPath& path, doubl
 
 namespace {
 
-FitSearch from_several_starts(FitEngine& engine, const FitUnknowns& unknowns,
-                              const FitPoint& start, const FitSearchOptions& options,
-                              const RunContext& context) {
+/// Fits from other starts, as long as a better fit may be there.
+/// @throws OutOfTime past the deadline, with the best fit so far.
+void try_other_starts(FitEngine& engine, const FitUnknowns& unknowns, const FitPoint& start,
+                      const FitSearchOptions& options, const RunContext& context,
+                      FitSearch& search) {
   constexpr double kAlike = 1.01, kSame = 1.0001;
   constexpr int kEnough = 4;
   constexpr double kCheap = 2e4;  // entries of the rows, below which all starts are tried
   const bool cheap = static_cast<double>(engine.states() + engine.parameters()) *
                          static_cast<double>(engine.records.samples()) <
                      kCheap;
-  FitSearch search{continued(engine, unknowns, start, options, context)};
   const auto take = [&](FitMinimum found) {
     ++search.starts;
     search.best.path = follow(engine, search.best.point, {});  // steps may be finer by now
@@ -230,7 +231,7 @@ FitSearch from_several_starts(FitEngine& engine, const FitUnknowns& unknowns,
     return excess(engine, unknowns, search.best) <= options.good &&
            (!guessed || are_white(engine, search.best.path.residuals));
   };
-  if (good() && !changed_a_sign(search.best.point, start)) return search;
+  if (good() && !changed_a_sign(search.best.point, start)) return;
   take(minimise(engine, unknowns, start, {}, options.most_iterations, context));
   FitUnknowns only_starts = unknowns;
   only_starts.global.clear();
@@ -256,6 +257,19 @@ FitSearch from_several_starts(FitEngine& engine, const FitUnknowns& unknowns,
   if (changed_a_sign(search.best.point, start))
     take(minimise(engine, unknowns, mirrored(search.best.point, start), {},
                   options.most_iterations, context));
+}
+
+/// From the given start, then from others.
+FitSearch from_several_starts(FitEngine& engine, const FitUnknowns& unknowns,
+                              const FitPoint& start, const FitSearchOptions& options,
+                              const RunContext& context) {
+  FitSearch search{continued(engine, unknowns, start, options, context.unhurried())};
+  if (options.only_given) return search;
+  try {
+    try_other_starts(engine, unknowns, start, options, context, search);
+  } catch (const OutOfTime&) {
+    search.in_time = false;
+  }
   return search;
 }
 
@@ -265,9 +279,10 @@ FitSearch search_fit(FitEngine& engine, const FitUnknowns& unknowns, const FitPo
                      const FitSearchOptions& options, const RunContext& context) {
   choose_method(engine, start);
   FitSearch search = from_several_starts(engine, unknowns, start, options, context);
-  search.best = reweighted(engine, unknowns, std::move(search.best), options, context);
-  search.best = polished(engine, unknowns, std::move(search.best), options, context);
-  search.best = reweighted(engine, unknowns, std::move(search.best), options, context);
+  const RunContext needed = context.unhurried();
+  search.best = reweighted(engine, unknowns, std::move(search.best), options, needed);
+  search.best = polished(engine, unknowns, std::move(search.best), options, needed);
+  search.best = reweighted(engine, unknowns, std::move(search.best), options, needed);
   return search;
 }
 

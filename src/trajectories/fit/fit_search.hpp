@@ -11,6 +11,7 @@ struct FitSearch {
   FitMinimum best;
   int starts = 1;    ///< from how many starts it was looked for
   int agreeing = 1;  ///< how many came to the best
+  bool in_time = true;  ///< whether no deadline came before the last other start
 };
 
 /// How the search is made.
@@ -20,6 +21,7 @@ struct FitSearchOptions {
   double good = 1.5;            ///< residuals over noise that need no other start
   int most_iterations = 60;     ///< of each minimisation
   std::size_t first_level = 0;  ///< of the falling disturbances, from which it begins
+  bool only_given = false;      ///< whether no other start is tried
 };
 
 /// Finds the least sum of squares of a free run.
@@ -30,7 +32,8 @@ struct FitSearchOptions {
 /// Gains are held while parameters are fitted, and the disturbance is taken away step by step
 /// (continuation in the gain of an observer: Ljung, System Identification (1999), Sect. 7.2;
 /// Abarbanel et al., SIAM J. Appl. Dyn. Syst. 8:1341, 2009). The free run from the guess itself
-/// is tried too; where residuals stay above the noise, seeded other starts.
+/// is tried too; where residuals stay above the noise, seeded other starts. A deadline ends the
+/// trying of other starts, not the fit from the given one.
 FitSearch search_fit(FitEngine& engine, const FitUnknowns& unknowns, const FitPoint& start,
                      const FitSearchOptions& options, const RunContext& context);
 

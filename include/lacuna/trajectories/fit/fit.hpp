@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "lacuna/core/base/run_context.hpp"
+#include "lacuna/core/base/stages_done.hpp"
 #include "lacuna/data/records/dataset.hpp"
 #include "lacuna/data/records/noise.hpp"
 #include "lacuna/model/equations/adequacy.hpp"
@@ -17,6 +18,9 @@ namespace lacuna {
 /// How a model of known structure is fitted.
 struct FitOptions {
   int restarts = 8;       ///< at most so many other starts where residuals are above the noise
+  /// Quick: from the given start alone, intervals by standard errors. Full: profiles of the
+  /// likelihood of every parameter, whatever they cost.
+  Thoroughness effort = Thoroughness::Normal;
   double spread = 3.0;    ///< by which factor they differ from the model's numbers
   Index window = 50;      ///< first samples of a held-out record that give its initial state
   Index prediction = 10;  ///< samples ahead of the error of prediction
@@ -120,6 +124,7 @@ struct Fit {
   Index substeps = 1;
   Index prediction = 10;  ///< samples ahead of FitQuality::prediction
   double degrees_of_freedom = 0.0;
+  std::vector<StageDone> stages = {};  ///< "fit", "starts", "profiles"
   std::vector<std::string> notes = {};
   std::vector<FitRun> runs = {};  ///< one for each record
 };
@@ -158,7 +163,8 @@ std::string sentence_of(const FitStanding& standing);
 /// has no interval but a limit on the other side. Numbers that the records determine in
 /// combination only, or not at all, are named. What is known of a parameter before
 /// (Parameter::deviation, of a normal distribution) is part of the likelihood.
-/// Same input and seed, same result.
+/// What a deadline of the context ends is left out: other starts, then profiles.
+/// Same input and seed, same result where no deadline came first.
 /// @param data, held_out in the variables of the model, as of read_records().
 /// @throws DataError when nothing is measured, when there are more unknowns than values, when
 ///   no free run is finite, and as check_are_others(); ModelError as

@@ -39,7 +39,7 @@ TEST(Cli, PartsOfOnesOwnAreThere) {
   const auto result = run_command({"list"}, registry);
   EXPECT_EQ(result.status, 0);
   EXPECT_EQ(result.out.find("monomials"), std::string::npos);
-  EXPECT_THAT(run_command({"list"}).out, HasSubstr(" monomials\n"));
+  EXPECT_THAT(run_command({"list"}).out, HasSubstr(" monomials,\n"));
 }
 
 }  // namespace

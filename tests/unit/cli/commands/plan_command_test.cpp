@@ -84,7 +84,7 @@ TEST(PlanCommand, GoesOnFromAFit) {
   const auto result = plan({"--after", fitted, "--input", "u=-1..1, hold 0.1", "--duration",
                             "5", "--safe", "y=-1..1"});
   EXPECT_EQ(result.status, 0) << result.err;
-  EXPECT_THAT(result.out, HasSubstr("the interval of d becomes"));
+  EXPECT_THAT(testing::unfolded(result.out), HasSubstr("the interval of d becomes"));
   EXPECT_THAT(result.out, HasSubstr("Safe ranges: left in"));
 }
 

@@ -16,10 +16,12 @@ TEST(Description, ListsOptionsWithTypeRangeAndDefault) {
   const auto options = describe_options(registry.find("differentiator", "savitzky-golay"));
   ASSERT_GE(options.size(), 2u);
   EXPECT_EQ(options[0].name, "window");
-  EXPECT_EQ(options[0].type, "whole number");
+  EXPECT_EQ(options[0].type, "whole number or none");
   EXPECT_EQ(options[0].unit, "samples");
   EXPECT_THAT(options[0].range, HasSubstr(".."));
-  EXPECT_FALSE(options[0].value.empty());
+  EXPECT_EQ(options[1].name, "degree");
+  EXPECT_EQ(options[1].type, "whole number");
+  EXPECT_FALSE(options[1].value.empty());
 }
 
 TEST(Description, ShowsPresentValuesOfAStage) {

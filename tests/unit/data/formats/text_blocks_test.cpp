@@ -86,9 +86,7 @@ TEST(TextBlocks, ErrorsAreThoseOfTheWholeText) {
   const TemporaryFolder folder;
   const std::string good = numbers(1500000, "\n");
   for (const std::string bad : {"1,2,x\n", "1,2\n", "1,2,3,4\n"}) {
-    std::string many;
-    for (int i = 0; i < 2000; ++i) many += bad;
-    const std::string path = folder.write("a.csv", good + many + good.substr(20));
+    const std::string path = folder.write("a.csv", good + bad + good.substr(20));
     std::string expected;
     try {
       read_table(path);

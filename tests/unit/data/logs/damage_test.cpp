@@ -22,17 +22,19 @@ std::string lines_of_numbers(int count) {
 
 Table read(const std::string& text) { return parse_text_table(text, "a.csv"); }
 
-TEST(Damage, OneLineInAHundredIsLeftOut) {
-  const Table table = read(lines_of_numbers(150) + "150,ERR\n" + "151,3\n");
+TEST(Damage, ALineThatCannotBeReadIsAnErrorWhereBytesAreWhole) {
+  testing::expect_error<DataError>([] { read(lines_of_numbers(900) + "900,ERR\n901,3\n"); },
+                                   "a.csv:902:2", "'ERR'", "");
+  testing::expect_error<DataError>([] { read(lines_of_numbers(900) + "900\n901,3\n"); },
+                                   "a.csv:902:2", "1 field", "");
+}
+
+TEST(Damage, WhereBytesAreDamagedPartsOfLinesAreLostToo) {
+  const Table table = read(lines_of_numbers(150) + "150,\xff" "2\n151,ERR\n152,3\n");
   EXPECT_EQ(table.values.rows(), 151);
-  ASSERT_EQ(table.notes.size(), 1u);
-  EXPECT_THAT(table.notes[0], HasSubstr("a.csv:152: 1 line that cannot be read, left out, here "
-                                        "'150,ERR'"));
-  testing::expect_error<DataError>([] { read(lines_of_numbers(90) + "150,ERR\n151,3\n"); },
-                                   "a.csv:92:2", "'ERR'", "");
-  testing::expect_error<DataError>(
-      [] { read(lines_of_numbers(150) + "150,ERR\n151,ERR\n152,1\n"); }, "a.csv:152:2", "'ERR'",
-      "");
+  ASSERT_EQ(table.notes.size(), 2u);
+  EXPECT_THAT(table.notes[1], HasSubstr("a.csv:153: 1 line that cannot be read, left out, here "
+                                        "'151,ERR'"));
 }
 
 TEST(Damage, StrayBytesMayBeInMoreLines) {

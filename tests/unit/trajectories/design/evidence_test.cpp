@@ -144,6 +144,10 @@ TEST(KnowledgeOf, StandardErrorsCountWithoutInformation) {
   parameters.at(0).standard_error = 0.1;
   model.system = SystemModel(model.system.symbolic(), parameters);
   EXPECT_NEAR(knowledge_of(model, 0.5).information(0, 0), 100.0, 1e-9);
+  parameters.at(0).standard_error.reset();
+  parameters.at(0).deviation = 0.2;
+  model.system = SystemModel(model.system.symbolic(), parameters);
+  EXPECT_NEAR(knowledge_of(model, 0.5).information(0, 0), 25.0, 1e-9) << "a prior";
 }
 
 }  // namespace

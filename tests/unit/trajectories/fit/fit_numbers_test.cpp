@@ -26,7 +26,8 @@ struct Known {
         minimise(engine, unknowns, {model.values().transpose(), engine.records.starts}, {}, 50,
                  {});
     engine.sigma = residual_rms(engine, unknowns, minimum.path);
-    known = known_numbers(engine, unknowns, minimum, curves, {});
+    known = known_numbers(engine, unknowns, minimum,
+                          curves ? ProfileUse::Curves : ProfileUse::Cheap, {});
     numbers = numbers_of(engine, unknowns, known);
   }
   SystemModel system;

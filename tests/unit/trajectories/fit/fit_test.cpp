@@ -5,9 +5,9 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/LU>
+#include <chrono>
 #include <cmath>
 
-#include "core/base/random.hpp"
 #include "lacuna/core/base/error.hpp"
 #include "lacuna/dynamics/integration/runge_kutta.hpp"
 #include "lacuna/report/pages/fit_report.hpp"
@@ -209,6 +209,42 @@ y = x2
   EXPECT_THAT(found.notes[0], HasSubstr("not white"));
 }
 
+TEST(Fit, PastTheDeadlineThereIsTheFitFromTheGivenStart) {
+  RunContext late;
+  late.deadline = std::chrono::steady_clock::now() - std::chrono::seconds(1);
+  const SystemModel truth = parse_ode_system(kTanks, "t.ode");
+  const Fit found = fit(off_by(truth, 1.2), tanks_record(), {}, {}, late);
+  EXPECT_NEAR(number(found, "k1").value, 0.5, 0.03);
+  ASSERT_TRUE(number(found, "k1").ci95) << "by its standard error";
+  ASSERT_EQ(found.stages.size(), 3u);
+  EXPECT_TRUE(found.stages[1].done) << "no other start was needed";
+  EXPECT_FALSE(found.stages[2].done);
+  EXPECT_THAT(found.notes, ::testing::Contains(HasSubstr("left out: profiles")));
+
+  const SystemModel linear = parse_ode_system(R"(input u hold linear
+param k = 0.5
+dx1/dt = -k*x1 + 0.4*u
+dx2/dt = k*x1 - 0.8*x2
+fixed dx1/dt: u
+fixed dx2/dt: x2
+y = x2
+)",
+                                       "l.ode");
+  const Fit wrong = fit(linear, tanks_record(), {}, {}, late);
+  ASSERT_EQ(wrong.stages.size(), 3u);
+  EXPECT_FALSE(wrong.stages[1].done) << "residuals above the noise ask for other starts";
+  EXPECT_EQ(wrong.starts, 1);
+}
+
+TEST(Fit, QuickIsTheGivenStartWithoutProfiles) {
+  const SystemModel truth = parse_ode_system(kTanks, "t.ode");
+  const Fit found =
+      fit(off_by(truth, 1.2), tanks_record(), {}, {.effort = Thoroughness::Quick});
+  EXPECT_EQ(found.starts, 1);
+  EXPECT_NEAR(number(found, "k1").value, 0.5, 0.03);
+  EXPECT_EQ(left_out_line(found.stages), "left out: starts, profiles (--effort quick)");
+}
+
 TEST(Fit, MoreUnknownsThanValuesAreAnError) {
   Dataset data = tanks_record();
   data.trajectories[0] = rows_of(data.trajectories[0], 0, 5);
@@ -313,67 +349,6 @@ TEST(Fit, ANumberOfWhichTheRecordsSayNothingHasNoInterval) {
       parse_ode_system("param b = 1.02\ndx/dt = -0.1*x + 1e-12*b\ny = x\n", "d.ode");
   EXPECT_FALSE(number(fit(alone, decay_record(), {}), "b").ci95)
       << "nothing to compare it with";
-}
-
-/// x = rate * t, measured with noise.
-Dataset line_record(double rate, double first, std::uint64_t seed) {
-  constexpr Index kSamples = 200;
-  Random random(seed);
-  Dataset data{"s", {{"x", ""}}, {}, {}, {}};
-  Trajectory record{"line", sample_times(first, 0.01, kSamples), Matrix(kSamples, 1),
-                    Matrix(kSamples, 0), Matrix()};
-  for (Index i = 0; i < kSamples; ++i)
-    record.states(i, 0) = rate * record.time[i] + 0.1 * random.normal();
-  data.trajectories = {record};
-  return data;
-}
-
-// The posterior of a linear model with normal noise is known: precisions add up, means are
-// weighted by them.
-TEST(Fit, WhatIsKnownOfAParameterBeforeWeighsAsItsPrecision) {
-  const Dataset data = line_record(2.0, 0.0, 3);
-  const Trajectory& line = data.trajectories[0];
-  for (const double deviation : {0.003, 0.01, 100.0}) {
-    const std::string text = "param a = 1.998 +- " + std::to_string(deviation) +
-                             "\ndx/dt = a\ninitial x = 0 at 0 fixed\n";
-    const Fit found = fit(parse_ode_system(text, "m.ode"), data, {});
-    const double sigma = found.quality[0].rmse;
-    const double information = line.time.squaredNorm() / (sigma * sigma);
-    const double prior = 1.0 / (deviation * deviation);
-    const double mean = (line.time.dot(line.states.col(0)) / (sigma * sigma) + 1.998 * prior) /
-                        (information + prior);
-    const FittedParameter& a = number(found, "a");
-    EXPECT_NEAR(a.value, mean, 1e-4) << deviation;
-    ASSERT_TRUE(a.standard_error) << deviation;
-    EXPECT_NEAR(*a.standard_error, 1.0 / std::sqrt(information + prior),
-                0.05 * *a.standard_error)
-        << deviation;
-    ASSERT_EQ(found.model.parameters().size(), 1u);
-    EXPECT_FALSE(found.model.parameters()[0].deviation) << "part of the estimate now";
-  }
-}
-
-TEST(Fit, APriorHoldsTheParameterOfEachRecord) {
-  Dataset data = line_record(2.0, 0.0, 3);
-  data.trajectories.push_back(line_record(3.0, 0.0, 4).trajectories[0]);
-  const Fit found = fit(
-      parse_ode_system("param a = 2.5 +- 0.001 per_record\ndx/dt = a\ninitial x = 0 fixed\n",
-                       "m.ode"),
-      data, {});
-  ASSERT_EQ(number(found, "a").per_record.size(), 2u);
-  EXPECT_NEAR(number(found, "a").per_record[0], 2.5, 0.05);
-  EXPECT_NEAR(number(found, "a").per_record[1], 2.5, 0.05);
-}
-
-TEST(Fit, TheStartOfTheModelMayLieBeforeTheFirstSample) {
-  const Dataset data = line_record(2.0, 0.5, 3);
-  const SystemModel system =
-      parse_ode_system("param a = 1\ndx/dt = a\ninitial x = 0 at 0 fixed\n", "m.ode");
-  const Fit found = fit(system, data, {});
-  EXPECT_NEAR(number(found, "a").value, 2.0, 4.0 * *number(found, "a").standard_error);
-  EXPECT_TRUE(found.quality[0].white);
-  const Fit told = fit(system, data, {}, {.start_time = 0.5});
-  EXPECT_GT(number(told, "a").value, 2.1) << "0 at the first sample, where x is 1";
 }
 
 TEST(StandingOf, SoundnessNeedsNoiseDeterminedNumbersAndRangesThatAreKept) {
