@@ -55,7 +55,7 @@ inline const ForeignLanguage& foreign_language(const std::string& format) {
        {"%", "\"'", false, false, false,
         with({"function", "rate", "lacuna_rate", "lacuna_real", "lacuna_step", "lacuna_min",
               "lacuna_max", "t", "state", "input", "end", "v", "w", "if", "elseif", "imag",
-              "NaN", "abs", "sign", "output", "initial", "parameter"})}},
+              "NaN", "abs", "sign", "output", "initial", "parameter", "zeros"})}},
       {"modelica",
        {"//", "\"", true, false, false,
         with({"model", "LacunaModel", "input", "Real", "unit", "equation", "der", "end", "time",

@@ -41,7 +41,8 @@ void expect_oscillator(const std::string& name, const std::string& text, const s
               ::testing::ContainsRegex("d" + x + "/dt = (1[*]|[(]?0[.]99[^*]*[*]|)" + v))
       << name;
   EXPECT_THAT(result.out,
-              ::testing::ContainsRegex("d" + v + "/dt = -[(]?(4|3[.]99[0-9]*|4[.]0[0-9]*)( [+]- [^*]*)?[*]" + x))
+              ::testing::ContainsRegex(
+                  "d" + v + "/dt = -[(]?(4|3[.]99[0-9]*|4[.]0[0-9]*)( [+]- [^*]*)?[*]" + x))
       << name;
 }
 

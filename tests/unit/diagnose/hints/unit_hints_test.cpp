@@ -34,7 +34,8 @@ TEST(UnitHints, TheRecordsSuggestTheFactor) {
 TEST(UnitHints, WhereNothingIsOffItIsARemark) {
   const std::vector<Hint> hints = hints_for_counts(1.0);
   ASSERT_EQ(hints.size(), 1u);
-  EXPECT_THAT(hints[0].message, HasSubstr("F (counts for N); values are taken as they are, and show no factor"));
+  EXPECT_THAT(hints[0].message, HasSubstr("F (counts for N); values are taken as "
+                                          "they are, and show no factor"));
   EXPECT_EQ(hints[0].withheld, Withheld::Nothing);
 }
 
