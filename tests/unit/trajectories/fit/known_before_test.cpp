@@ -50,6 +50,21 @@ TEST(KnownBefore, WhatIsKnownOfAParameterBeforeWeighsAsItsPrecision) {
   }
 }
 
+// Correlated residuals say how far a parameter may be off by the record; where the prior says
+// far more than that, its deviation is the error.
+TEST(KnownBefore, APriorIsPartOfTheErrorWhereResidualsAreCorrelated) {
+  Dataset data = line_record(2.0, 0.0, 3);
+  Trajectory& line = data.trajectories[0];
+  line.states.col(0).array() += 0.3 * (8.0 * line.time.array()).sin();
+  const Fit found = fit(parse_ode_system("param a = 2 +- 0.0003\ndx/dt = a\n"
+                                         "initial x = 0 at 0 fixed\n",
+                                         "m.ode"),
+                        data, {});
+  EXPECT_FALSE(found.quality[0].white);
+  ASSERT_TRUE(found.numbers.at(0).standard_error);
+  EXPECT_NEAR(*found.numbers.at(0).standard_error, 0.0003, 0.00005);
+}
+
 TEST(KnownBefore, APriorHoldsTheParameterOfEachRecord) {
   Dataset data = line_record(2.0, 0.0, 3);
   data.trajectories.push_back(line_record(3.0, 0.0, 4).trajectories[0]);
