@@ -30,6 +30,14 @@ std::string text_of(const Structure& structure) {
 
 std::string first_line(const std::string& text) { return text.substr(0, text.find('\n')); }
 
+/// A message without the folder of the file: the table is the same wherever it is made.
+std::string without_folder(std::string text, const std::filesystem::path& file) {
+  const std::string folder = file.parent_path().string() + "/";
+  if (const std::size_t at = text.find(folder); at != std::string::npos)
+    text.erase(at, folder.size());
+  return text;
+}
+
 /// A record in one of the variants.
 struct Row {
   Outcome outcome = Outcome::Same;
@@ -51,7 +59,7 @@ std::vector<Row> rows_of(const SmallRecord& record, const std::filesystem::path&
         base.model ? expected_structure(*base.model, record.data, variant) : Structure{};
     rows.push_back({compared(answer, base, expected), answer.status, answer.verdict,
                     base.verdict, text_of(answer.structure), text_of(expected),
-                    first_line(answer.error)});
+                    without_folder(first_line(answer.error), file)});
   }
   std::filesystem::remove(file);
   return rows;

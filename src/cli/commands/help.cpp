@@ -16,10 +16,11 @@ namespace {
 
 using Options = std::vector<const CLI::Option*>;
 
-/// Options that --help explains; more do not fit on a screen with what stands around them.
+/// A decision: so many options --help explains. Half as many leave the screen half empty; twice
+/// as many do not fit on it with what stands around them.
 constexpr std::size_t kMostUsed = 10;
 
-/// Column in which explanations begin.
+/// A fact of layout: the column in which explanations begin.
 constexpr std::size_t kNameColumns = 26;
 
 /// The options that are used most; the first ten of a command's stand first in its help.
@@ -91,7 +92,7 @@ Options of_group(const Options& options, std::string_view group) {
 
 /// "  Data    --time --hold" for each group that has some of the options.
 std::string names_by_group(const Options& options) {
-  constexpr std::size_t kIndent = 10;
+  constexpr std::size_t kIndent = 10;  // a fact of layout
   std::string text;
   for (const auto& [group, known] : kGroups) {
     std::string line = "  " + std::string(group);

@@ -71,7 +71,7 @@ PlanModels of_diagnosis(const Json& answer, const std::string& source) {
                                          other.at("term").get<std::string>());
       if (!model) continue;
       const Json& probability = other.at("probability");
-      constexpr double kLeast = 1e-3;  // what was ruled out once may be right all the same
+      constexpr double kLeast = 1e-3;  // a decision: what was ruled out once may be right
       const double weight = probability.is_number() ? probability.get<double>() : 0.0;
       found.models.push_back({other.at("name").get<std::string>(), *model, {},
                               std::max(weight, kLeast)});

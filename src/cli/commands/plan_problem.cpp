@@ -56,7 +56,7 @@ FittedModel fitted(const SystemModel& system, const PlanRequest& request,
 
 /// Probabilities of rivals as the records give them: exp(-BIC / 2) over their sum.
 void set_weights(const std::vector<NamedFit>& fits, std::vector<PlanModel>& models) {
-  constexpr double kLeast = 1e-3;  // a rival that is given is not impossible
+  constexpr double kLeast = 1e-3;  // a decision: a rival that is given is not impossible
   const RivalComparison comparison = compare_fits(fits);
   double best = comparison.rivals.front().bic;
   for (const FitRival& rival : comparison.rivals) best = std::min(best, rival.bic);
@@ -143,7 +143,7 @@ void add_time(const PlanRequest& request, const Dataset* data, PlanProblem& prob
     throw ConfigError("--duration", "it is not known how long a run may take",
                       "give it in the model's time unit: --duration 20");
   problem.duration = request.duration ? *request.duration : longest_record(*data).duration();
-  constexpr double kSamples = 200.0;  // where nothing else is known
+  constexpr double kSamples = 200.0;  // a decision, where neither data nor --sample give a step
   problem.step = request.step        ? *request.step
                  : data != nullptr ? std::min(median_step(*data), problem.duration)
                                    : problem.duration / kSamples;

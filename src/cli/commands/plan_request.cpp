@@ -33,6 +33,7 @@ double number_in(const NamedText& named, std::string_view text, const char* exam
   return *number;
 }
 
+/// By definition: a range without an end.
 constexpr double kOpenEnd = std::numeric_limits<double>::infinity();
 
 /// LOW..HIGH; a missing end is infinite where that may be.
@@ -77,7 +78,7 @@ void read_input_limit(const NamedText& named, const std::string& text, PlanInput
   } else if (word == "hold") {
     input.hold = number_in(named, value, kInputExample);
   } else if (word == "pieces") {
-    constexpr double kMost = 200.0;
+    constexpr double kMost = 200.0;  // a fact of cost: the search has no derivatives
     const double pieces = number_in(named, value, kInputExample);
     if (pieces != std::floor(pieces) || pieces < 1.0 || pieces > kMost)
       throw ConfigError(named.place, "'" + value + "' is no whole number from 1 to 200",

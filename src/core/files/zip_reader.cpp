@@ -10,7 +10,7 @@
 namespace lacuna {
 namespace {
 
-constexpr std::size_t kSaidElsewhere = 0xFFFFFFFFU;  // zip64
+constexpr std::size_t kSaidElsewhere = 0xFFFFFFFFU;  // a fact of the format: zip64
 
 [[noreturn]] void fail(const ZipArchive& archive, const std::string& problem) {
   throw DataError(archive.source, problem, archive.remedy);
