@@ -1,4 +1,4 @@
-# Installs the library, its headers, the command, its man page, the licence and the CMake package lacuna::lacuna.
+# Installs the library, its headers, the command, its man page, records to try, the licence and the CMake package lacuna::lacuna.
 include(CMakePackageConfigHelpers)
 
 install(TARGETS lacuna EXPORT lacuna-targets
@@ -14,6 +14,8 @@ endif()
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/lacuna DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE ${PROJECT_SOURCE_DIR}/CHANGELOG.md
   DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/data
+  DESTINATION ${CMAKE_INSTALL_DATADIR}/lacuna)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/docs/schemas
   DESTINATION ${CMAKE_INSTALL_DATADIR}/lacuna)
 install(FILES ${PROJECT_SOURCE_DIR}/docs/man/lacuna.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)

@@ -2,14 +2,16 @@
 # Changes one line of the library at a time and counts how many changes the tests notice.
 # Usage: scripts/mutants.sh [--check] [--preset NAME] [--day COUNT] [PATTERN]
 #   --check   only looks whether every entry's text is found exactly once
-#   --preset  builds as this preset does; default dev
+#   --preset  builds as this preset does; default variant, whose library is shared: there the changed
+#             source alone is compiled and loaded before the library. What the tests do not notice
+#             so is built as a whole
 #   --day     only so many entries, whose turn it is by the day of the year; the table stays
 #   PATTERN   only entries that hold this text; the others keep the result of an earlier run
 # Works on the last commit, in a copy below build/mutants; the list is tests/mutants/mutants.txt,
 # the result the table in tests/mutants/results.md. A change that does not build is an error, not noticed.
 set -euo pipefail
 cd "$(dirname "$0")/.."
-check=false preset=dev day=0
+check=false preset=variant day=0
 while [ $# -gt 0 ]; do
   case $1 in
     --check) check=true; shift ;;
@@ -55,7 +57,7 @@ read_entry() {
 
 # Paths are told ccache as relative ones: what another checkout has compiled is known here.
 build() {
-  CCACHE_BASEDIR=$PWD/$tree nice ninja -C "$tree/build/$preset" "$@" > "$tree/build/log" 2>&1
+  CCACHE_BASEDIR=$PWD/$tree nice ninja -C "$tree/build/$preset" "$@" > "$log" 2>&1
 }
 
 check_entries() {
@@ -80,34 +82,74 @@ prepare() {
   (cd "$tree" && cmake --preset "$preset") > /dev/null
 }
 
-# run_tests TEST: one executable, or its tests that "EXECUTABLE:FILTER" names
+# run_tests TEST [LIBRARY]: one executable, or its tests that "EXECUTABLE:FILTER" names, with
+# a library that is loaded before all others
 run_tests() {
   local filter='*'
   case $1 in *:*) filter=${1#*:} ;; esac
-  timeout "$limit" "$tree/build/$preset/tests/${1%%:*}" --gtest_brief=1 --gtest_fail_fast \
-    --gtest_filter="$filter" > /dev/null 2>&1
+  timeout "$limit" env LD_PRELOAD="${2:-}" "$tree/build/$preset/tests/${1%%:*}" \
+    --gtest_brief=1 --gtest_fail_fast --gtest_filter="$filter" > /dev/null 2>&1
+}
+
+# tests_notice [LIBRARY]: whether one of the entry's tests fails
+tests_notice() {
+  local test
+  for test in $tests; do
+    if ! run_tests "$test" "${1:-}"; then return 0; fi
+  done
+  return 1
+}
+
+# The command by which the shared library's sources are compiled, without source and object; empty
+# where the library is not shared.
+library_command() {
+  perl -MJSON::PP -0777 -ne '
+    for my $entry (@{decode_json($_)}) {
+      next unless $entry->{command} =~ /-Dlacuna_EXPORTS/;
+      print "cd $entry->{directory} && ", $entry->{command} =~ s/ -o \S+ -c \S+$//r;
+      last;
+    }' "$tree/build/$preset/compile_commands.json"
+}
+
+# compile_alone SOURCE: the source as a library of its own ($alone); of a header all the sources of
+# its folder.
+compile_alone() {
+  local source=$root/$1
+  case $1 in
+    *.hpp) source=$root/build/$preset/CMakeFiles/lacuna.dir/Unity/unity_$(dirname "$1")_cxx.cxx ;;
+  esac
+  [ -n "$command" ] && bash -c "$command -shared -o '$alone' '$source'" > "$log" 2>&1
 }
 
 # targets_of TESTS...: their executables
 targets_of() { printf '%s\n' "${@%%:*}" | sort -u; }
 
-# One change: "noticed", "not noticed" or "does not build".
+# stands_alone FILE TESTS: whether the tests pass with the source as it is loaded before the library;
+# where they do not, what they notice of a change there says nothing.
+declare -A alone_passes
+stands_alone() {
+  if [ -z "${alone_passes[$1 $2]:-}" ]; then
+    alone_passes[$1 $2]=false
+    compile_alone "$1" && ! tests_notice "$alone" && alone_passes[$1 $2]=true
+  fi
+  ${alone_passes[$1 $2]}
+}
+
+# One change; sets result: "noticed", "not noticed" or "does not build".
 try_entry() {
+  local quick=false
+  stands_alone "$file" "$tests" && quick=true
   cp "$tree/$file" "$tree/build/original"
   replace "$tree/$file" "$text" "$other"
-  local result="not noticed" test
-  if ! build $(targets_of $tests); then
+  result="not noticed"
+  if $quick && compile_alone "$file" && tests_notice "$alone"; then
+    result=noticed
+  elif ! build $(targets_of $tests); then
     result="does not build"
-  else
-    for test in $tests; do
-      if ! run_tests "$test"; then
-        result=noticed
-        break
-      fi
-    done
+  elif tests_notice; then
+    result=noticed
   fi
   cp "$tree/build/original" "$tree/$file"
-  echo "$result"
 }
 
 # result_of ENTRY: of the last run of it
@@ -148,7 +190,9 @@ check_entries .
 if $check; then exit 0; fi
 prepare
 check_entries "$tree"
-build $(targets_of $(entries | sed 's/.* | //')) || { cat "$tree/build/log"; exit 1; }
+root=$PWD/$tree log=$PWD/build/mutants.log alone=$PWD/build/mutant.so
+command=$(library_command)
+build $(targets_of $(entries | sed 's/.* | //')) || { cat "$log"; exit 1; }
 # What is not noticed where nothing is changed says nothing.
 for test in $(entries | sed 's/.* | //' | tr ' ' '\n' | sort -u); do
   run_tests "$test" || { echo "$test fails without a change" >&2; exit 1; }
@@ -158,7 +202,7 @@ commit=$(git rev-parse --short HEAD)
 all=0 noticed=0 broken=0
 while IFS= read -r line; do
   read_entry "$line"
-  result=$(try_entry)
+  try_entry
   all=$((all + 1))
   if [ "$result" = noticed ]; then noticed=$((noticed + 1)); fi
   if [ "$result" = "does not build" ]; then broken=$((broken + 1)); fi

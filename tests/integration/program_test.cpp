@@ -32,6 +32,44 @@ TEST(Program, IdentifiesTheShippedRecord) {
   EXPECT_NEAR(json["noise"]["x"].get<double>(), 1e-3, 2e-4);
 }
 
+/// On a terminal of its own, which `script` makes. @param typed what the person types.
+std::string on_a_terminal(const std::string& arguments, const std::string& typed) {
+  const TemporaryFolder folder;
+  const std::string command = "script -qec \"'" + std::string(LACUNA_COMMAND) + "' " + arguments +
+                              "\" /dev/null < '" + folder.write("typed", typed) + "' > '" +
+                              folder.file("shown") + "' 2>&1";
+  EXPECT_EQ(std::system(command.c_str()), 0) << folder.read("shown");
+  return folder.read("shown");
+}
+
+TEST(Program, WithoutACommandATerminalShowsWhatToTry) {
+  const std::string shown = on_a_terminal("", "");
+  EXPECT_THAT(shown, ::testing::HasSubstr("lacuna start FILE"));
+  EXPECT_THAT(shown, ::testing::HasSubstr("lacuna diagnose --model "));
+  expect_program_error("", 2, {"--help"});
+}
+
+TEST(Program, DemoShowsALineAndRunsIt) {
+  const CommandResult result = run_program("demo check");
+  EXPECT_EQ(result.status, 0) << result.err;
+  EXPECT_THAT(result.out, ::testing::HasSubstr("$ lacuna check "));
+  EXPECT_THAT(result.out, ::testing::HasSubstr("4000 rows"));
+  EXPECT_EQ(result.out.find("lacuna identify"), std::string::npos);
+  expect_program_error("demo juggle", 2, {"juggle"});
+}
+
+TEST(Program, ATerminalIsAskedWhatColumnsAre) {
+  const TemporaryFolder folder;
+  const std::string rows = folder.write("rows.csv", "t,x,u\n0,1,3\n1,2,2\n2,4,5\n3,7,1\n");
+  const std::string shown = on_a_terminal(
+      "start " + rows + " --model-out " + folder.file("m.ode"), "ms\n\nV\ninput\n\n");
+  EXPECT_THAT(shown, ::testing::HasSubstr("--inputs u"));
+  const OdeModel model = read_model(folder.file("m.ode"));
+  EXPECT_EQ(model.time_unit(), "ms");
+  EXPECT_EQ(model.states()[0].unit, "V");
+  ASSERT_EQ(model.inputs().size(), 1u);
+}
+
 TEST(Program, SameInputSameBytes) {
   const TemporaryFolder folder;
   const std::string orbit = folder.file("o.csv");

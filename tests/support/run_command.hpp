@@ -18,14 +18,17 @@ struct CommandResult {
 };
 
 /// Runs the command line inside this process: run_command({"list", "basis"}).
+/// @param answers to its questions, a line each.
 inline CommandResult run_command(std::vector<std::string> arguments,
-                                 const Registry& registry = default_registry()) {
+                                 const Registry& registry = default_registry(),
+                                 const std::string& answers = "") {
   arguments.insert(arguments.begin(), "lacuna");
   std::vector<const char*> pointers;
   for (const std::string& argument : arguments) pointers.push_back(argument.c_str());
   std::ostringstream out, err;
-  const int status =
-      run_cli(static_cast<int>(pointers.size()), pointers.data(), registry, {out, err});
+  std::istringstream in(answers);
+  const int status = run_cli(static_cast<int>(pointers.size()), pointers.data(), registry,
+                             {out, err, &in});
   return {status, out.str(), err.str()};
 }
 

@@ -1,19 +1,22 @@
 // SPDX-License-Identifier: MIT
 #include "lacuna/cli/commands/cli.hpp"
 
+#include <unistd.h>
+
 #include <algorithm>
-#include <cctype>
 #include <chrono>
 #include <csignal>
 #include <iostream>
 #include <stdexcept>
 
+#include "cli/start/trials.hpp"
+#include "cli/terminal/interrupt.hpp"
+#include "cli/terminal/memory_limit.hpp"
+#include "cli/terminal/shell_text.hpp"
 #include "command.hpp"
 #include "core/base/text.hpp"
 #include "core/base/utf8.hpp"
-#include "interrupt.hpp"
 #include "lacuna/version.hpp"
-#include "memory_limit.hpp"
 
 namespace lacuna {
 namespace {
@@ -149,23 +152,10 @@ int run_chosen(const cli::Command& command, const cli::Session& session) {
   }
 }
 
-/// An argument as a shell takes it: in quotes where it has more than letters of file names.
-std::string quoted(const std::string& argument) {
-  const auto plain = [](char c) {
-    return std::isalnum(static_cast<unsigned char>(c)) != 0 ||
-           std::string_view("_-./,=:+@%").find(c) != std::string_view::npos;
-  };
-  if (!argument.empty() && std::all_of(argument.begin(), argument.end(), plain))
-    return argument;
-  std::string text = "'";
-  for (const char c : argument) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return text + "'";
-}
-
 std::string command_line(int argc, const char* const* argv) {
-  std::string line = "lacuna";
-  for (int i = 1; i < argc; ++i) line += " " + quoted(argv[i]);
-  return line;
+  std::vector<std::string> words{"lacuna"};
+  words.insert(words.end(), argv + 1, argv + argc);
+  return cli::shell_line(words);
 }
 
 /// The status, unless what was to be shown is lost.
@@ -175,6 +165,43 @@ int with_output_checked(int status, const CliStreams& streams) {
   return fail(streams,
               "standard output: the result could not be written in full; check that "
               "there is space, or give a file (-o, --json)");
+}
+
+/// The option of `lacuna demo`: which of the trials.
+CLI::App& declare_demo(CLI::App& root, std::vector<std::string>& names) {
+  CLI::App* app = root.add_subcommand(
+      "demo", "Run the commands to try, with the records that come with the program");
+  app->add_option("NAME", names, "Which of them [default: all]")
+      ->check(CLI::IsMember({"check", "diagnose", "identify"}));
+  return *app;
+}
+
+int run_words(int argc, const char* const* argv, cli::Session session,
+              cli::InterruptGuard::Patience patience);
+
+/// Runs the trials of these names (all without one), each below its line; ends with the first that
+/// fails.
+int run_demo(const std::vector<std::string>& names, const cli::Session& session,
+             cli::InterruptGuard::Patience patience) {
+  const auto data = cli::shipped_data();
+  if (!data)
+    return fail(session.streams,
+                "demo: the records that come with the program are not beside it; run it from "
+                "where it was installed or built");
+  for (const cli::Trial& trial : cli::trials(*data)) {
+    const bool is_asked =
+        names.empty() || std::find(names.begin(), names.end(), trial.name) != names.end();
+    if (!is_asked) continue;
+    session.streams.out << "# " << trial.purpose << "\n$ lacuna "
+                        << printable(cli::shell_line(trial.words)) << "\n\n" << std::flush;
+    std::vector<const char*> words{"lacuna"};
+    for (const std::string& word : trial.words) words.push_back(word.c_str());
+    const int status =
+        run_words(static_cast<int>(words.size()), words.data(), session, patience);
+    if (status != 0) return status;
+    session.streams.out << "\n";
+  }
+  return 0;
 }
 
 /// Parses and runs. @param session without what the arguments and the guard give.
@@ -189,10 +216,13 @@ int run_words(int argc, const char* const* argv, cli::Session session,
       cli::declare_diagnose(app),   cli::declare_fit(app),      cli::declare_model(app),
       cli::declare_export(app),     cli::declare_check(app),    cli::declare_compare(app),
       cli::declare_completion(app), cli::declare_list(app),     cli::declare_describe(app),
-      cli::declare_plan(app),       cli::declare_bench(app)};
+      cli::declare_plan(app),       cli::declare_bench(app),    cli::declare_start(app)};
+  std::vector<std::string> names;
+  const CLI::App& demo = declare_demo(app, names);
   cli::arrange_help(app);
   if (const auto status = parse(app, argc, argv, streams))
     return with_output_checked(*status, streams);
+  if (demo.parsed()) return run_demo(names, session, patience);
 
   std::signal(SIGXFSZ, SIG_IGN);  // a file that grows too large is an error of its write
   const auto chosen = std::find_if(commands.begin(), commands.end(),
@@ -218,7 +248,11 @@ int run_cli(int argc, const char* const* argv) {
 }
 
 int run_cli(int argc, const char* const* argv, const Registry& registry) {
-  return run_words(argc, argv, {registry, {std::cout, std::cerr}, {}}, kPatience);
+  if (argc <= 1 && isatty(STDOUT_FILENO) != 0) {
+    std::cout << cli::welcome(cli::shipped_data());
+    return 0;
+  }
+  return run_words(argc, argv, {registry, {std::cout, std::cerr, &std::cin}, {}}, kPatience);
 }
 
 int run_cli(int argc, const char* const* argv, const Registry& registry, CliStreams streams) {

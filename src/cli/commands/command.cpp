@@ -12,16 +12,16 @@
 #include <memory>
 #include <thread>
 
+#include "cli/terminal/colour.hpp"
+#include "cli/terminal/memory_limit.hpp"
+#include "cli/terminal/progress_line.hpp"
+#include "cli/terminal/progress_log.hpp"
 #include "core/base/utf8.hpp"
 #include "core/files/atomic_file.hpp"
 #include "lacuna/data/formats/read.hpp"
 #include "lacuna/dynamics/test_systems/test_systems.hpp"
 #include "lacuna/model/files/model_file.hpp"
-#include "memory_limit.hpp"
-#include "progress_line.hpp"
-#include "progress_log.hpp"
 #include "report/pages/folded_text.hpp"
-#include "terminal.hpp"
 
 namespace lacuna::cli {
 namespace {

@@ -47,6 +47,7 @@ Command declare_compare(CLI::App& root);
 Command declare_completion(CLI::App& root);
 Command declare_list(CLI::App& root);
 Command declare_describe(CLI::App& root);
+Command declare_start(CLI::App& root);
 
 /// Puts the options of all commands into groups: `--help` shows the most used ones, `--help-all`
 /// all of them.

@@ -39,7 +39,7 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 5> kGroups =
       "--tolerance --effect --max-effects"},
      {"Method", ""},
      {"Output",
-      "--model-out --json --report --plot --explain --digits --output --format --progress --csv "
+      "--model-out --replace --json --report --open --plot --explain --digits --output --format --progress --csv "
       "--noise --inputs-out"},
      {"Limits", "--effort --time-limit --threads --max-memory --seed"}}};
 

@@ -2,7 +2,10 @@
 #include "report_options.hpp"
 
 #include <filesystem>
+#include <ostream>
 
+#include "cli/terminal/browser.hpp"
+#include "core/base/utf8.hpp"
 #include "core/files/atomic_file.hpp"
 #include "lacuna/core/base/error.hpp"
 #include "lacuna/model/files/model_file.hpp"
@@ -29,6 +32,7 @@ void declare_report_options(CLI::App& app, ReportOptions& options) {
   app.add_option("--report", options.page,
                  "Write the answer with its pictures as one HTML page that needs no network")
       ->type_name("FILE.html|-");
+  app.add_flag("--open", options.open, "Show the page of --report in a browser");
   app.add_option("--plot", options.pictures, "Write the pictures of the page as .svg files")
       ->type_name("FOLDER");
 }
@@ -57,6 +61,8 @@ std::string model_text(const std::string& path, const SystemModel& model,
 
 std::vector<OutputFile> with_report(std::vector<OutputFile> others,
                                     const ReportOptions& options) {
+  if (options.open && (!options.page || *options.page == "-"))
+    throw ConfigError("--open", "there is no file to show", "name it: --report answer.html --open");
   others.push_back({"--report", options.page});
   return others;
 }
@@ -67,7 +73,11 @@ void write_report(const Session& session, const ReportOptions& options,
   Page page = make_page();
   page.command = session.command_line;
   if (options.pictures) write_pictures(*options.pictures, page);
-  if (options.page) write_output(session, *options.page, format_html(page));
+  if (!options.page) return;
+  write_output(session, *options.page, format_html(page));
+  if (options.open && !open_in_browser(*options.page))
+    session.streams.err << "lacuna: no browser could be started; open " +
+                               printable(*options.page) + " yourself, or set BROWSER\n";
 }
 
 }  // namespace lacuna::cli

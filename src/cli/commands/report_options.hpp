@@ -16,9 +16,10 @@ namespace lacuna::cli {
 struct ReportOptions {
   std::optional<std::string> page;      ///< HTML file
   std::optional<std::string> pictures;  ///< folder
+  bool open = false;                    ///< shows the page in a browser
 };
 
-/// The options `--report` and `--plot`.
+/// The options `--report`, `--open` and `--plot`.
 void declare_report_options(CLI::App& app, ReportOptions& options);
 
 /// The option `--digits`. @param description of what has them.
@@ -37,7 +38,7 @@ std::vector<OutputFile> with_report(std::vector<OutputFile> others,
                                     const ReportOptions& options);
 
 /// Writes what is asked for; the page is only made then. The folder is made where there is
-/// none.
+/// none. Where no browser can be opened that is said, and the file is there.
 void write_report(const Session& session, const ReportOptions& options,
                   FunctionRef<Page()> make_page);
 

@@ -148,8 +148,9 @@ std::optional<std::vector<Index>> components_of(const StateColumns& columns, Ind
   return std::nullopt;
 }
 
-std::optional<Hint> computed_hint(const Dataset& data, const StateColumns& columns,
-                                  Index column, const std::vector<Index>& left) {
+/// What is said of a column that is computed from others of those that are left.
+std::optional<ColumnRemark> computed_remark(const Dataset& data, const StateColumns& columns,
+                                            Index column, const std::vector<Index>& left) {
   if (!(columns.range[column] > columns.digit[column])) return std::nullopt;
   std::vector<Index> others = left, before = left;
   std::erase(others, column);
@@ -159,10 +160,9 @@ std::optional<Hint> computed_hint(const Dataset& data, const StateColumns& colum
   if (!sources) sources = factors_of(columns, column, others);
   if (!sources) return std::nullopt;
   const std::string& name = data.states[static_cast<std::size_t>(column)].name;
-  return Hint{HintKind::Identity,
-              name + " follows from " + names_of(data, *sources) +
-                  " and is no state of its own: leave it out",
-              "--states ", Withheld::Nothing};
+  return ColumnRemark{column, ColumnKind::Computed,
+                      name + " follows from " + names_of(data, *sources) +
+                          " and is no state of its own"};
 }
 
 /// The number of samples that the values of a column are held, 1 where they are not.
@@ -188,45 +188,56 @@ std::string without(const Dataset& data, const std::vector<Index>& columns) {
   return join(names, ",");
 }
 
-std::vector<Hint> held_hints(const Dataset& data) {
+std::vector<ColumnRemark> held_remarks(const Dataset& data) {
   std::vector<Index> held;
   for (Index k = 0; k < data.state_count(); ++k) held.push_back(held_samples(data, k));
   // Where all are held the file repeats its samples.
   if (held.empty() || *std::min_element(held.begin(), held.end()) > 1) return {};
-  std::vector<Hint> hints;
-  for (std::size_t k = 0; k < held.size(); ++k) {
-    if (held[k] == 1) continue;
-    const std::string& name = data.states[k].name;
-    hints.push_back({HintKind::Sampling,
-                     name + " is held " + std::to_string(held[k]) +
-                         " samples, as the output of a controller: it looks like an input",
-                     "--inputs " + name, Withheld::Nothing});
-  }
-  return hints;
+  std::vector<ColumnRemark> remarks;
+  for (std::size_t k = 0; k < held.size(); ++k)
+    if (held[k] > 1)
+      remarks.push_back({static_cast<Index>(k), ColumnKind::Held,
+                         data.states[k].name + " is held " + std::to_string(held[k]) +
+                             " samples, as the output of a controller"});
+  return remarks;
 }
 
 }  // namespace
 
-std::vector<Hint> column_hints(const Dataset& data) {
-  std::vector<Hint> hints = held_hints(data);
+std::vector<ColumnRemark> column_remarks(const Dataset& data) {
+  std::vector<ColumnRemark> remarks = held_remarks(data);
   const bool all_finite =
       std::all_of(data.trajectories.begin(), data.trajectories.end(),
                   [](const Trajectory& record) { return record.states.allFinite(); });
-  if (data.state_count() < 2 || data.samples() < 2 || !all_finite) return hints;
+  if (data.state_count() < 2 || data.samples() < 2 || !all_finite) return remarks;
   const StateColumns columns = columns_of_states(data);
   std::vector<Index> left(static_cast<std::size_t>(data.state_count()));
   std::iota(left.begin(), left.end(), Index{0});
-  std::vector<Index> computed;
-  std::vector<Hint> found;
+  std::vector<ColumnRemark> computed;
   for (Index k = data.state_count() - 1; k >= 0; --k) {
-    auto hint = computed_hint(data, columns, k, left);
-    if (!hint) continue;
-    found.push_back(*std::move(hint));
-    computed.push_back(k);
+    auto remark = computed_remark(data, columns, k, left);
+    if (!remark) continue;
+    computed.push_back(*std::move(remark));
     std::erase(left, k);
   }
-  for (Hint& hint : found) hint.remedy += without(data, computed);
-  hints.insert(hints.end(), found.rbegin(), found.rend());
+  remarks.insert(remarks.end(), computed.rbegin(), computed.rend());
+  return remarks;
+}
+
+std::vector<Hint> column_hints(const Dataset& data) {
+  const std::vector<ColumnRemark> remarks = column_remarks(data);
+  std::vector<Index> computed;
+  for (const ColumnRemark& remark : remarks)
+    if (remark.kind == ColumnKind::Computed) computed.push_back(remark.column);
+  std::vector<Hint> hints;
+  for (const auto& [column, kind, sentence] : remarks)
+    if (kind == ColumnKind::Held)
+      hints.push_back({HintKind::Sampling, sentence + ": it looks like an input",
+                       "--inputs " + data.states[static_cast<std::size_t>(column)].name,
+                       Withheld::Nothing});
+    else
+      hints.push_back({HintKind::Identity, sentence + ": leave it out",
+                       "--states " + without(data, computed), Withheld::Nothing});
   return hints;
 }
 

@@ -13,6 +13,7 @@ class Team;
 struct CliStreams {
   std::ostream& out;  ///< results for people, or JSON with `--json -`
   std::ostream& err;  ///< errors and progress
+  std::istream* in = nullptr;  ///< answers to questions; nothing: each is answered as proposed
 };
 
 /// The `lacuna` command as a function, so that a user's own program can have it, with parts of

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "lacuna/cli/commands/cli.hpp"
 
+#include <cstdlib>
+
 #include "unit/cli/commands/records.hpp"
 
 namespace lacuna {
@@ -32,6 +34,19 @@ TEST(Cli, BadArgumentsAreOneLineAndStatus2) {
                  {"--degre", "--degree"});
   expect_failure(run_command({"identify", "a.csv", "--degree", "three"}), 2, {"three"});
   expect_failure(run_command({"identify", "a.csv", "--threads", "0"}), 2, {"--threads"});
+}
+
+TEST(Cli, APageIsShownWhereThereIsOne) {
+  const testing::Records records;
+  expect_failure(run_command({"sync", "rossler", records.rossler(), "--open"}), 2,
+                 {"--open", "--report answer.html"});
+  setenv("BROWSER", "false", 1);
+  const auto result = run_command({"sync", "rossler", records.rossler(), "--open", "--report",
+                                   records.folder().file("page.html")});
+  unsetenv("BROWSER");
+  EXPECT_EQ(result.status, 0) << result.err;
+  EXPECT_THAT(result.err, HasSubstr("page.html yourself"));
+  EXPECT_THAT(records.folder().read("page.html"), HasSubstr("<html"));
 }
 
 TEST(Cli, PartsOfOnesOwnAreThere) {

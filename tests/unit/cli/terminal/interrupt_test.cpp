@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "cli/commands/interrupt.hpp"
+#include "cli/terminal/interrupt.hpp"
 
 #include <gtest/gtest.h>
 #include <pthread.h>

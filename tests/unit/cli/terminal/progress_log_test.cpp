@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "cli/commands/progress_log.hpp"
+#include "cli/terminal/progress_log.hpp"
 
 #include <gtest/gtest.h>
 

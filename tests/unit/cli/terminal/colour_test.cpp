@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "cli/commands/terminal.hpp"
+#include "cli/terminal/colour.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "terminal.hpp"
+#include "colour.hpp"
 
 #include <unistd.h>
 

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: MIT
+// From a file that nobody has looked at to a model to write on and the command for next time.
+#include <filesystem>
+#include <memory>
+#include <utility>
+
+#include "cli/start/column_use.hpp"
+#include "cli/start/skeleton.hpp"
+#include "cli/terminal/questions.hpp"
+#include "cli/terminal/shell_text.hpp"
+#include "command.hpp"
+#include "core/base/text.hpp"
+#include "data_options.hpp"
+#include "lacuna/core/base/error.hpp"
+#include "report/pages/data_summary.hpp"
+
+namespace lacuna::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct StartArguments {
+  DataOptions data;
+  std::optional<std::string> skeleton;
+  bool yes = false, replace = false;
+};
+
+/// Beside the user, not beside the record: "record.csv.gz" becomes "record.ode".
+std::string skeleton_path(const StartArguments& options) {
+  if (options.skeleton) return *options.skeleton;
+  fs::path name = fs::path(options.data.paths.front()).filename();
+  while (name.has_extension()) name = name.stem();
+  return name.string() + ".ode";
+}
+
+/// @throws FileError where the file would be replaced.
+void check_skeleton(const std::string& path, const StartArguments& options) {
+  std::error_code none;
+  if (path != "-" && !options.replace && fs::exists(path, none))
+    throw FileError("start: " + path, "the file is there already",
+                    "name another one with --model-out, or replace it with --replace");
+  check_outputs(options.data.paths, {{"--model-out", path}});
+}
+
+/// The unit that times are read in; nothing where the record says it.
+std::optional<std::string> time_unit_for(const DataOptions& options, const RecordUse& use,
+                                         const Dataset& read) {
+  if (use.time_unit != read.time_unit) return use.time_unit;
+  return options.time_unit;
+}
+
+/// A command with the same data. @param flags behind the options of the data.
+std::string line_for(std::vector<std::string> words, const DataOptions& data,
+                     const std::vector<std::string>& flags) {
+  words.insert(words.end(), data.paths.begin(), data.paths.end());
+  using Option = std::pair<const char*, const std::optional<std::string>&>;
+  for (const auto& [flag, value] :
+       {Option{"--time", data.time}, Option{"--time-unit", data.time_unit},
+        Option{"--trajectory", data.trajectory}})
+    if (value) words.insert(words.end(), {flag, *value});
+  if (data.step) words.insert(words.end(), {"--dt", format_number(*data.step)});
+  for (const std::string& map : data.names) words.insert(words.end(), {"--map", map});
+  words.insert(words.end(), flags.begin(), flags.end());
+  return shell_line(words);
+}
+
+std::string next_steps(const DataOptions& data, const RecordUse& use,
+                       const std::string& model) {
+  const auto line = [&](std::vector<std::string> words, std::vector<std::string> flags) {
+    return "  " + line_for(std::move(words), data, flags) + "\n";
+  };
+  return "\nThe equations from the data:\n" +
+         line({"lacuna", "identify"}, column_flags(use, data.states.empty())) + "\nWrote " +
+         model + ". Once its equations hold what is known, what they lack, and the values of their "
+         "parameters:\n" +
+         line({"lacuna", "diagnose", "--model", model}, {}) + line({"lacuna", "fit", model}, {});
+}
+
+/// What the columns are, by the person or by the samples.
+RecordUse use_of(const Session& session, const StartArguments& options, const Dataset& data) {
+  show(session, format_text(summarise(data, data.input_count())) + "\n");
+  Questions questions(session.streams.out, options.yes ? nullptr : session.streams.in);
+  return asked_use(proposed_use(data), questions);
+}
+
+int start_command(const Session& session, const StartArguments& options) {
+  const std::string path = skeleton_path(options);
+  check_skeleton(path, options);
+  const Dataset data = read_data(options.data);
+  const bool only_skeleton = path == "-";
+  const RecordUse use = only_skeleton ? proposed_use(data) : use_of(session, options, data);
+  write_output(session, path, skeleton_of(use, options.data.name()));
+  if (only_skeleton) return 0;
+  DataOptions read = options.data;
+  read.time_unit = time_unit_for(options.data, use, data);
+  show(session, next_steps(read, use, path));
+  return 0;
+}
+
+}  // namespace
+
+Command declare_start(CLI::App& root) {
+  auto options = std::make_shared<StartArguments>();
+  CLI::App* app = root.add_subcommand(
+      "start", "Look at a file, ask what its columns are, write a model's skeleton and the "
+               "commands for next time");
+  app->add_option("DATA", options->data.paths, "Files (text, .gz, .npy) or quoted patterns")
+      ->required();
+  declare_column_options(*app, options->data, true);
+  app->add_option("--model-out", options->skeleton,
+                  "The skeleton [default: as the record is called, .ode, in this folder]")
+      ->type_name("FILE.ode|-");
+  app->add_flag("--yes", options->yes, "Ask nothing: take what the samples propose");
+  app->add_flag("--replace", options->replace, "Write over a skeleton that is there");
+  return {app, [options](const Session& session) { return start_command(session, *options); }};
+}
+
+}  // namespace lacuna::cli
