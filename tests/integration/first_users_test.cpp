@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Ten files as first users have them, each with the commands that lead to the answer: at most two, of at
-// most four flags each.
+// Ten files as first users have them, each with the commands that lead to the answer: at most two,
+// of at most four flags each.
 #include <bit>
 #include <cmath>
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "core/base/random.hpp"
@@ -34,6 +35,16 @@ class FirstUsers : public ::testing::Test {
   OdeModel identified(const std::string& arguments) {
     run("identify " + arguments + " --model-out " + folder_.file("found.json"));
     return read_model(folder_.file("found.json"));
+  }
+
+  /// Fits, and expects every parameter within so much of the truth.
+  void expect_fitted(const std::string& arguments, const std::map<std::string, double>& truth,
+                     double within) {
+    run("fit " + arguments + " --model-out " + folder_.file("fitted.json"));
+    const SystemModel fitted = read_system(folder_.file("fitted.json"));
+    ASSERT_EQ(fitted.parameters().size(), truth.size());
+    for (const Parameter& parameter : fitted.parameters())
+      EXPECT_NEAR(parameter.value / truth.at(parameter.name), 1.0, within) << parameter.name;
   }
 
   TemporaryFolder folder_;
@@ -144,12 +155,8 @@ TEST_F(FirstUsers, TwelveRowsAfterADose) {
                     "param ke = 0.3 in 0.01..3\nparam V = 10 [L] in 1..100\n"
                     "dgut/dt = -ka*gut\ndcen/dt = ka*gut - ke*cen\nconc = cen/V [mg/L]\n"
                     "initial gut = 100 at 0 fixed\ninitial cen = 0 at 0 fixed\n");
-  run("fit " + model + " " + folder_.write("twelve.csv", rows) + " --model-out " +
-      folder_.file("fitted.json"));
-  for (const Parameter& parameter : read_system(folder_.file("fitted.json")).parameters()) {
-    const double truth = parameter.name == "ka" ? 1.2 : parameter.name == "ke" ? 0.15 : 20.0;
-    EXPECT_NEAR(parameter.value / truth, 1.0, 0.1) << parameter.name;
-  }
+  expect_fitted(model + " " + folder_.write("twelve.csv", rows),
+                {{"ka", 1.2}, {"ke", 0.15}, {"V", 20.0}}, 0.1);
 }
 
 /// The speed in every row, the temperature in every tenth.
@@ -166,12 +173,8 @@ TEST_F(FirstUsers, ALoggerWithTwoRates) {
       folder_.write("brake.ode",
                     "time s\nparam k = 1 in 0..10\nparam c = 1 in 0..10\nparam h = 1 in 0..10\n"
                     "dspeed/dt = -k*speed\ndtemp/dt = c*speed^2 - h*temp\n");
-  run("fit " + model + " " + folder_.write("rates.csv", rows) + " --model-out " +
-      folder_.file("fitted.json"));
-  for (const Parameter& parameter : read_system(folder_.file("fitted.json")).parameters()) {
-    const double truth = parameter.name == "k" ? 0.4 : parameter.name == "c" ? 0.5 : 0.2;
-    EXPECT_NEAR(parameter.value / truth, 1.0, 0.03) << parameter.name;
-  }
+  expect_fitted(model + " " + folder_.write("rates.csv", rows),
+                {{"k", 0.4}, {"c", 0.5}, {"h", 0.2}}, 0.03);
 }
 
 TEST_F(FirstUsers, StampsOfARobot) {
@@ -256,12 +259,8 @@ TEST_F(FirstUsers, OtherUnitsThanTheModels) {
       "time s\ninput u [V]\nstate th [rad]\nstate w [rad/s]\nparam d = 0.1 in 0..10\n"
       "param g = 15 in 1..100\nparam b = 1 in 0..10\ndth/dt = w\n"
       "dw/dt = -g*sin(th) - d*w + b*u\n");
-  run("fit " + model + " " + folder_.write("deg.csv", rows) + " --model-out " +
-      folder_.file("fitted.json"));
-  for (const Parameter& parameter : read_system(folder_.file("fitted.json")).parameters()) {
-    const double truth = parameter.name == "g" ? 20.0 : parameter.name == "d" ? 0.5 : 3.0;
-    EXPECT_NEAR(parameter.value / truth, 1.0, 0.03) << parameter.name;
-  }
+  expect_fitted(model + " " + folder_.write("deg.csv", rows),
+                {{"g", 20.0}, {"d", 0.5}, {"b", 3.0}}, 0.03);
 }
 
 }  // namespace

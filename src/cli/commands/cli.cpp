@@ -188,7 +188,7 @@ int run_demo(const std::vector<std::string>& names, const cli::Session& session,
     return fail(session.streams,
                 "demo: the records that come with the program are not beside it; run it from "
                 "where it was installed or built");
-  for (const cli::Trial& trial : cli::trials(*data)) {
+  for (const cli::TrialCommand& trial : cli::trials(*data)) {
     const bool is_asked =
         names.empty() || std::find(names.begin(), names.end(), trial.name) != names.end();
     if (!is_asked) continue;

@@ -39,8 +39,8 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 5> kGroups =
       "--tolerance --effect --max-effects"},
      {"Method", ""},
      {"Output",
-      "--model-out --replace --json --report --open --plot --explain --digits --output --format --progress --csv "
-      "--noise --inputs-out"},
+      "--model-out --replace --json --report --open --plot --explain --digits --output --format "
+      "--progress --csv --noise --inputs-out"},
      {"Limits", "--effort --time-limit --threads --max-memory --seed"}}};
 
 bool has_word(std::string_view words, std::string_view word) {

@@ -10,6 +10,7 @@
 #include "cli/terminal/shell_text.hpp"
 #include "command.hpp"
 #include "core/base/text.hpp"
+#include "core/base/utf8.hpp"
 #include "data_options.hpp"
 #include "lacuna/core/base/error.hpp"
 #include "report/pages/data_summary.hpp"
@@ -42,7 +43,7 @@ void check_skeleton(const std::string& path, const StartArguments& options) {
   check_outputs(options.data.paths, {{"--model-out", path}});
 }
 
-/// The unit that times are read in; nothing where the record says it.
+/// The unit that times are read in; nothing where that of the file is right.
 std::optional<std::string> time_unit_for(const DataOptions& options, const RecordUse& use,
                                          const Dataset& read) {
   if (use.time_unit != read.time_unit) return use.time_unit;
@@ -71,8 +72,8 @@ std::string next_steps(const DataOptions& data, const RecordUse& use,
   };
   return "\nThe equations from the data:\n" +
          line({"lacuna", "identify"}, column_flags(use, data.states.empty())) + "\nWrote " +
-         model + ". Once its equations hold what is known, what they lack, and the values of their "
-         "parameters:\n" +
+         model + ". Once its equations are what is known: what they lack, and the values of\n"
+         "their parameters:\n" +
          line({"lacuna", "diagnose", "--model", model}, {}) + line({"lacuna", "fit", model}, {});
 }
 
@@ -93,7 +94,7 @@ int start_command(const Session& session, const StartArguments& options) {
   if (only_skeleton) return 0;
   DataOptions read = options.data;
   read.time_unit = time_unit_for(options.data, use, data);
-  show(session, next_steps(read, use, path));
+  session.streams.out << printable(next_steps(read, use, path));  // lines to copy: not folded
   return 0;
 }
 

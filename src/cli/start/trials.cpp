@@ -34,7 +34,7 @@ std::optional<fs::path> shipped_data() {
   return error ? std::nullopt : shipped_data(program);
 }
 
-std::vector<Trial> trials(const fs::path& data) {
+std::vector<TrialCommand> trials(const fs::path& data) {
   const std::string first = (data / "pendulum_scope_1.csv.gz").string();
   const std::string columns = "th=CH1,w=CH2,u=CH3";
   return {{"check", "What is in a file: columns, step, noise", {"check", first}},
@@ -53,7 +53,7 @@ std::string welcome(const std::optional<fs::path>& data) {
       "lacks.\n\nYour own record:\n  lacuna start FILE\n";
   if (data) {
     text += "\nThree things to try; `lacuna demo` runs them:\n";
-    for (const Trial& trial : trials(*data))
+    for (const TrialCommand& trial : trials(*data))
       text += "  # " + trial.purpose + "\n  lacuna " + shell_line(trial.words) + "\n";
   }
   return text + "\nAll commands: lacuna --help\n";

@@ -9,7 +9,7 @@
 namespace lacuna::cli {
 
 /// A command to try.
-struct Trial {
+struct TrialCommand {
   std::string name;     ///< "check"
   std::string purpose;  ///< what it shows, a sentence
   std::vector<std::string> words;  ///< of the command line, behind the program's name
@@ -24,7 +24,7 @@ std::optional<std::filesystem::path> shipped_data(const std::filesystem::path& p
 std::optional<std::filesystem::path> shipped_data();
 
 /// Three commands for the records in that folder.
-std::vector<Trial> trials(const std::filesystem::path& data);
+std::vector<TrialCommand> trials(const std::filesystem::path& data);
 
 /// What the program shows that was called without a command.
 /// @param data nothing: the records are not there, and no command is shown.

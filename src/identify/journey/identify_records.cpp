@@ -5,6 +5,7 @@
 
 #include "centred_library.hpp"
 #include "data/records/known_noise.hpp"
+#include "distinct_powers.hpp"
 #include "dynamics/integration/automatic.hpp"
 #include "identify/forms_beside/identify_with_forms.hpp"
 #include "identify/hidden_state/identify_hidden.hpp"
@@ -12,6 +13,7 @@
 #include "lower_terms.hpp"
 #include "records/binding/other_records.hpp"
 #include "records/channels/column_hints.hpp"
+#include "records/channels/shown_holds.hpp"
 
 namespace lacuna {
 namespace {
@@ -50,6 +52,19 @@ IdentificationTask with_effort(IdentificationTask task) {
   for (FormOptions* forms : {&task.options.forms, &task.options.advice.search})
     forms->worth_asking = 0.0;
   return task;
+}
+
+/// What records in memory show of their inputs: a flow's are held where they repeat samples, and
+/// powers of an input with few values are no candidates.
+/// @param notes gets a sentence for each such input.
+RecordStream with_inputs_as_shown(RecordStream records, IdentificationTask& task,
+                                  std::vector<std::string>& notes) {
+  const Dataset* data = records.in_memory();
+  if (data == nullptr || task.measured != Measured::AllStates) return records;
+  task.pipeline = with_distinct_powers(task.pipeline, *data, notes);
+  const bool is_flow = task.pipeline.formulation->evolution() == Evolution::Flow;
+  auto held = is_flow ? with_shown_holds(*data) : std::nullopt;
+  return held ? RecordStream(*std::move(held)) : records;
 }
 
 Identification find_equations(RecordStream records, const IdentificationTask& task,
@@ -147,7 +162,9 @@ void warn_of_records(const IdentificationTask& task, IdentificationResult& found
 Identification identify_records(RecordStream records, const IdentificationTask& given,
                                 const RunContext& context) {
   IdentificationTask task = with_effort(given);
-  std::vector<std::string> centred;
+  std::vector<std::string> notes, centred;
+  records = with_inputs_as_shown(std::move(records), task, notes);
+  const Pipeline chosen = task.pipeline;
   if (task.measured == Measured::AllStates)
     task.pipeline = with_centred_library(task.pipeline, records.excerpt(), centred);
   Identification found = find_equations(std::move(records), task, context);
@@ -155,9 +172,10 @@ Identification identify_records(RecordStream records, const IdentificationTask& 
   const RunContext alone = context.alone();
   IdentificationResult& result = found.result;
   if (!centred.empty())
-    result = with_lower_terms(given.pipeline, task.pipeline, found.records, std::move(result),
+    result = with_lower_terms(chosen, task.pipeline, found.records, std::move(result),
                               alone);
-  result.warnings.insert(result.warnings.end(), centred.begin(), centred.end());
+  for (const auto& sentences : {notes, centred})
+    result.warnings.insert(result.warnings.end(), sentences.begin(), sentences.end());
   const bool is_map = result.model.is_map();
   const Dataset& data = is_map ? *found.records.in_memory() : found.records.excerpt();
   warn_of_records(task, result, data);

@@ -21,6 +21,24 @@ std::optional<Hold> shown_hold(const Dataset& data, Index input) {
   return held ? Hold::Zero : Hold::Smooth;
 }
 
+std::optional<Dataset> with_shown_holds(const Dataset& data) {
+  std::vector<std::size_t> held;
+  for (std::size_t j = 0; j < data.inputs.size(); ++j)
+    if (!data.inputs[j].hold && shown_hold(data, static_cast<Index>(j)) == Hold::Zero)
+      held.push_back(j);
+  if (held.empty()) return std::nullopt;
+  Dataset result = data;
+  for (const std::size_t j : held) result.inputs[j].hold = Hold::Zero;
+  return result;
+}
+
+std::vector<Index> held_inputs(const Dataset& data) {
+  std::vector<Index> held;
+  for (std::size_t j = 0; j < data.inputs.size(); ++j)
+    if (data.inputs[j].hold == Hold::Zero) held.push_back(static_cast<Index>(j));
+  return held;
+}
+
 OdeModel with_shown_holds(const OdeModel& model, const Dataset& data) {
   std::vector<std::optional<Hold>> holds;
   for (const Quantity& input : model.inputs()) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "lacuna/data/records/dataset.hpp"
 #include "lacuna/model/equations/ode_model.hpp"
@@ -13,6 +14,13 @@ namespace lacuna {
 /// Hold::Smooth; nothing where it never moves.
 /// @throws ArgumentError when there is no such input.
 std::optional<Hold> shown_hold(const Dataset& data, Index input);
+
+/// The records with Hold::Zero for those inputs of which nothing is said and whose samples show it;
+/// nothing where there is none.
+std::optional<Dataset> with_shown_holds(const Dataset& data);
+
+/// Inputs whose samples hold (Hold::Zero), by number.
+std::vector<Index> held_inputs(const Dataset& data);
 
 /// The model with the shown holds of those inputs of which it does not say how they go on.
 /// @param data in the inputs of the model.

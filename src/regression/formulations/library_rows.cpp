@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/base/finite.hpp"
 #include "core/base/text.hpp"
@@ -56,6 +57,8 @@ class LibraryRows::Reader final : public RowReader {
       const Index count = std::min(theta.rows() - done, block->slots.rows() - skip);
       source_.program_.evaluate(block->slots.middleRows(skip, count),
                                 theta.middleRows(done, count), workspace_);
+      average_at(block->jumps, source_.program_, skip, theta.middleRows(done, count),
+                 workspace_);
       targets.middleRows(done, count) = block->targets.middleRows(skip, count);
       done += count;
     }
@@ -67,9 +70,10 @@ class LibraryRows::Reader final : public RowReader {
 };
 
 LibraryRows::LibraryRows(const TermLibrary& library, const std::vector<Trajectory>& records,
-                         Index margin)
+                         Index margin, std::vector<Index> held)
     : library_(library),
       program_(library.compile()),
+      held_(std::move(held)),
       longest_delay_(longest(program_.delays())) {
   for (std::size_t number = 0; number < records.size(); ++number) {
     Block block = make_block(records[number], number, margin);
@@ -96,15 +100,21 @@ LibraryRows::Block LibraryRows::make_block(const Trajectory& record, std::size_t
               Matrix(count, program_.slots()),
               record.derivatives.middleRows(first, count)};
   fill_variables(record, first, block.slots);
-  if (program_.delays().empty()) return block;
+  fill_delays(record, block);
+  block.jumps = input_jumps(record, first, block.slots, held_);
+  return block;
+}
+
+void LibraryRows::fill_delays(const Trajectory& record, Block& block) const {
+  if (program_.delays().empty()) return;
   Index slot = record.states.cols() + record.inputs.cols() + 1;
   Matrix variables(record.samples(), slot);
   fill_variables(record, 0, variables);
   for (const DelayedVariable& delayed : program_.delays())
     block.slots.col(slot++) =
-        delayed_values(record.time, variables.col(delayed.slot), first, delayed.delay)
-            .head(count);
-  return block;
+        delayed_values(record.time, variables.col(delayed.slot), block.first_sample,
+                       delayed.delay)
+            .head(block.slots.rows());
 }
 
 std::unique_ptr<RowReader> LibraryRows::open() const { return std::make_unique<Reader>(*this); }

@@ -10,6 +10,7 @@
 #include "lacuna/data/records/trajectory.hpp"
 #include "lacuna/model/equations/term.hpp"
 #include "lacuna/regression/linear/row_source.hpp"
+#include "regression/formulations/input_jumps.hpp"
 
 namespace lacuna {
 
@@ -41,9 +42,11 @@ class LibraryRows final : public RowSource {
   /// @param records with derivatives, in the variables of the library.
   /// @param margin samples without a row at either end of a record, where the derivative is of
   ///   less worth; a record of which fewer than half would remain keeps them.
+  /// @param held inputs that hold their samples, by number: where one jumps, terms are the
+  ///   mean of both limits (InputJumps).
   /// @throws DataError when no record is longer than the longest delay.
   LibraryRows(const TermLibrary& library, const std::vector<Trajectory>& records,
-              Index margin = 0);
+              Index margin = 0, std::vector<Index> held = {});
 
   Index rows() const override { return rows_; }
   Index terms() const override { return library_.size(); }
@@ -68,13 +71,16 @@ class LibraryRows final : public RowSource {
     Index first_row = 0;
     Matrix slots;    ///< rows x slots
     Matrix targets;  ///< rows x m
+    InputJumps jumps = {};
   };
 
   Block make_block(const Trajectory& record, std::size_t number, Index margin) const;
+  void fill_delays(const Trajectory& record, Block& block) const;
   NonFiniteEntry describe(const Block& block, Index row, std::optional<Index> term) const;
 
   TermLibrary library_;
   Program program_;
+  std::vector<Index> held_;
   double longest_delay_ = 0.0;
   std::vector<Block> blocks_;
   Index rows_ = 0;

@@ -89,8 +89,10 @@ class ProjectedRows::Reader final : public RowReader {
 };
 
 ProjectedRows::ProjectedRows(const TermLibrary& library, const std::vector<Trajectory>& records,
-                             const std::vector<Projection>& projections)
-    : samples_(std::make_shared<const LibraryRows>(library, with_states_as_targets(records))) {
+                             const std::vector<Projection>& projections,
+                             std::vector<Index> held)
+    : samples_(std::make_shared<const LibraryRows>(library, with_states_as_targets(records), 0,
+                                                   std::move(held))) {
   for (const RecordRows& part : samples_->record_rows())
     add_blocks(projections[part.record], part, !records[part.record].has_derivatives());
   if (rows_ == 0)

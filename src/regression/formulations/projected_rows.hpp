@@ -21,9 +21,10 @@ class ProjectedRows final : public RowSource {
   /// @param projections one per record; functionals that reach into samples which a delayed
   /// term
   ///   leaves out are dropped.
+  /// @param held inputs that hold their samples, as for LibraryRows.
   /// @throws DataError when no functional is left.
   ProjectedRows(const TermLibrary& library, const std::vector<Trajectory>& records,
-                const std::vector<Projection>& projections);
+                const std::vector<Projection>& projections, std::vector<Index> held = {});
 
   Index rows() const override { return rows_; }
   Index terms() const override { return samples_->terms(); }

@@ -51,6 +51,8 @@ class StreamedRows::Reader final : public RowReader {
         throw DataError("data", "a value is not finite",
                         "split the record there or remove the row");
       program_.evaluate(slots_, theta.middleRows(done, count), workspace_);
+      average_at(input_jumps(*samples_, begin_ + skip, slots_, source_.held_), program_, 0,
+                 theta.middleRows(done, count), workspace_);
       done += count;
     }
   }
@@ -70,9 +72,9 @@ class StreamedRows::Reader final : public RowReader {
       samples_ = whole;
       begin_ = piece->first_sample;
     } else {
-      own_ = source_.samples_of_piece(*piece);
+      begin_ = std::min<Index>(1, piece->first_sample);  // a jump shows in the sample before
+      own_ = source_.samples_of_piece(*piece, begin_);
       samples_ = &own_;
-      begin_ = 0;
     }
   }
 
@@ -88,11 +90,12 @@ class StreamedRows::Reader final : public RowReader {
 
 StreamedRows::StreamedRows(const TermLibrary& library,
                            std::vector<std::shared_ptr<const SampleSource>> records,
-                           SampleRates rates, bool has_derivatives)
+                           SampleRates rates, bool has_derivatives, std::vector<Index> held)
     : library_(library),
       records_(std::move(records)),
       rates_(std::move(rates)),
       has_derivatives_(has_derivatives),
+      held_(std::move(held)),
       margin_(has_derivatives ? 0 : rates_.method->margin()) {
   check_no_delay(library);
   const Index fewest = has_derivatives ? 1 : rates_.method->fewest_samples();
@@ -112,22 +115,23 @@ std::unique_ptr<RowReader> StreamedRows::open() const {
   return std::make_unique<Reader>(*this);
 }
 
-Trajectory StreamedRows::samples_of_piece(const Piece& piece) const {
+Trajectory StreamedRows::samples_of_piece(const Piece& piece, Index more) const {
   const SampleSource& record = *records_[piece.record];
-  if (has_derivatives_) return record.read(piece.first_sample, piece.count);
+  const Index begin = piece.first_sample - more, count = piece.count + more;
+  if (has_derivatives_) return record.read(begin, count);
   const Index fewest = rates_.method->fewest_samples();
   // What the differentiator sees of a sample lies within its margin.
   const Index around = std::max(margin_, fewest);
-  const Index first = std::max<Index>(piece.first_sample - around, 0);
+  const Index first = std::max<Index>(begin - around, 0);
   const Index end = std::min(piece.first_sample + piece.count + around, record.samples());
   const Trajectory samples =
       with_derivatives(record.read(first, end - first), *rates_.method, rates_.smooth_states);
-  return rows_of(samples, piece.first_sample - first, piece.count);
+  return rows_of(samples, begin - first, count);
 }
 
 std::optional<NonFiniteEntry> StreamedRows::find_non_finite() const {
   for (const Piece& piece : pieces_) {
-    auto entry = LibraryRows(library_, {samples_of_piece(piece)}).find_non_finite();
+    auto entry = LibraryRows(library_, {samples_of_piece(piece, 0)}).find_non_finite();
     if (!entry) continue;
     entry->sample += piece.first_sample;
     return entry;

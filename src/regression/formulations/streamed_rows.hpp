@@ -24,10 +24,11 @@ class StreamedRows final : public RowSource {
  public:
   /// @param records in the variables of the library. One from which no derivative can be taken
   ///   has no rows.
+  /// @param held inputs that hold their samples, as for LibraryRows.
   /// @throws ConfigError when a term has a delay.
   StreamedRows(const TermLibrary& library,
                std::vector<std::shared_ptr<const SampleSource>> records, SampleRates rates,
-               bool has_derivatives);
+               bool has_derivatives, std::vector<Index> held = {});
 
   Index rows() const override { return rows_; }
   Index terms() const override { return library_.size(); }
@@ -50,13 +51,14 @@ class StreamedRows final : public RowSource {
     Index count = 0;
   };
 
-  /// With derivatives.
-  Trajectory samples_of_piece(const Piece& piece) const;
+  /// With derivatives. @param more samples in front, where there are so many.
+  Trajectory samples_of_piece(const Piece& piece, Index more) const;
 
   TermLibrary library_;
   std::vector<std::shared_ptr<const SampleSource>> records_;
   SampleRates rates_;
   bool has_derivatives_;
+  std::vector<Index> held_;
   Index margin_;
   std::vector<Piece> pieces_;
   Index rows_ = 0;

@@ -8,6 +8,7 @@
 #include "lacuna/model/equations/ode_model.hpp"
 #include "non_finite_error.hpp"
 #include "records/binding/derived_record.hpp"
+#include "records/channels/shown_holds.hpp"
 #include "regression/formulations/library_rows.hpp"
 #include "streamed_rows.hpp"
 
@@ -72,7 +73,8 @@ LeastSquaresSystem StrongForm::do_assemble(const Dataset& data, const TermLibrar
     records.push_back(with_derivatives(record, *method, options().smooth_states));
   }
   const Index margin = data.has_derivatives() ? 0 : method->margin();
-  return system_of(std::make_shared<const LibraryRows>(library, records, margin), library,
+  return system_of(std::make_shared<const LibraryRows>(library, records, margin, held_inputs(data)),
+                   library,
                    data.has_derivatives() ? std::nullopt : method->truncation_error(data),
                    nullptr, context);
 }
@@ -91,7 +93,8 @@ LeastSquaresSystem StrongForm::do_assemble_long(const RecordStream& records,
       given ? options().differentiator : fitted_to(options().differentiator, data);
   return system_of(
       std::make_shared<const StreamedRows>(library, records.records(),
-                                           SampleRates{method, options().smooth_states}, given),
+                                           SampleRates{method, options().smooth_states}, given,
+                                           held_inputs(data)),
       library, given ? std::nullopt : method->truncation_error(data), records.in_memory(),
       context);
 }

@@ -8,6 +8,7 @@
 #include "data/derivatives/moving_polynomial.hpp"
 #include "lacuna/data/records/noise.hpp"
 #include "lacuna/records/channels/node_grid.hpp"
+#include "records/channels/shown_holds.hpp"
 
 namespace lacuna {
 namespace {
@@ -23,10 +24,25 @@ Vector without_outliers(const Trajectory& record, Index state, const Vector& noi
   return values;
 }
 
+/// A held input at the nodes: its sample until the next one, and at a sample the mean of both
+/// limits, so that the parts of an integral on either side of a jump are off by opposite amounts.
+Vector held_nodes(const Eigen::Ref<const Vector>& samples, Index stride) {
+  const Index last = samples.size() - 1;
+  Vector nodes(last * stride + 1);
+  for (Index i = 0; i < last; ++i) {
+    nodes.segment(i * stride, stride).setConstant(samples[i]);
+    if (i > 0) nodes[i * stride] = 0.5 * (samples[i - 1] + samples[i]);
+  }
+  nodes[last * stride] = samples[std::max<Index>(last - 1, 0)];
+  return nodes;
+}
+
 void place_path(PathRecord& record, const Matrix& states, const Program& program) {
   Matrix values(states.rows(), states.cols() + record.samples.inputs.cols());
   values << states, record.samples.inputs;
-  const Matrix variables = node_slots(record.samples.time, values, record.stride());
+  Matrix variables = node_slots(record.samples.time, values, record.stride());
+  for (const Index j : record.held)
+    variables.col(states.cols() + j) = held_nodes(record.samples.inputs.col(j), record.stride());
   const Index width = variables.cols();
   record.time = variables.col(width - 1);
   record.slots.resize(variables.rows(), program.slots());
@@ -75,7 +91,7 @@ std::vector<PathRecord> make_paths(const Dataset& data, const std::vector<Matrix
   const int within = paths.size() == 1 ? threads : 1;
   parallel_for(paths.size(), threads, [&](std::size_t r) {
     const Trajectory& record = data.trajectories[r];
-    paths[r] = {record, weights_of(record, data, noise[r], within), 1, {}, {}};
+    paths[r] = {record, weights_of(record, data, noise[r], within), 1, held_inputs(data), {}, {}};
     place_path(paths[r], smoothed_states(record, data, noise[r], within), program);
   });
   return paths;

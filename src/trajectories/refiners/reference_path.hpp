@@ -15,8 +15,9 @@ struct PathRecord {
   Trajectory samples;
   Matrix weights;  ///< n x m: 1 / sigma, 0 where a value is not to be believed
   Index substeps = 1;
-  Vector time;   ///< of the nodes, (n - 1) 2 substeps + 1
-  Matrix slots;  ///< nodes x slots; the first m columns are the path
+  std::vector<Index> held;  ///< inputs that hold their samples, by number
+  Vector time;              ///< of the nodes, (n - 1) 2 substeps + 1
+  Matrix slots;             ///< nodes x slots; the first m columns are the path
 
   Index stride() const noexcept { return 2 * substeps; }  ///< nodes per sampling interval
 };

@@ -7,6 +7,7 @@
 #include <numeric>
 #include <utility>
 
+#include "data/records/known_noise.hpp"
 #include "lacuna/data/records/noise.hpp"
 #include "move_path.hpp"
 #include "refitted.hpp"

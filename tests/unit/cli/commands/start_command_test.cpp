@@ -63,7 +63,7 @@ TEST(StartCommand, OnlyTheSkeletonGoesToStandardOutput) {
 TEST(StartCommand, OptionsOfTheDataGoOn) {
   const Records records;
   const std::string rows = records.folder().write(
-      "rows.csv", "a,b\n1,2\n2,3\n3,5\n4,8\n5,13\n6,21\n7,34\n8,55\n");
+      "rows.csv", "c,b\n1,2\n2,3\n3,5\n4,8\n5,13\n6,21\n7,34\n8,55\n");
   const std::string model = records.folder().file("m.ode");
   const auto result = run_command({"start", rows, "--dt", "0.5", "--states", "a", "--map",
                                    "a=b", "--yes", "--model-out", model});

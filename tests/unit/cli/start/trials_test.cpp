@@ -30,7 +30,7 @@ TEST(ShippedData, IsBesideAnInstalledProgramAndAboveABuiltOne) {
 TEST(Trials, NameFilesThatAreThere) {
   const fs::path data = fs::path(LACUNA_SOURCE_DIR) / "data";
   int files = 0;
-  for (const Trial& trial : trials(data))
+  for (const TrialCommand& trial : trials(data))
     for (const std::string& word : trial.words)
       if (word.find('/') != std::string::npos) {
         EXPECT_TRUE(fs::exists(word)) << word;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "records/channels/shown_holds.hpp"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "support/driven_oscillator.hpp"
@@ -33,6 +34,23 @@ TEST(ShownHolds, TheModelComesFirst) {
   EXPECT_EQ(with_shown_holds(model, data).inputs()[0].hold, Hold::Zero);
   EXPECT_EQ(with_shown_holds(model.with_holds({Hold::Linear}), data).inputs()[0].hold,
             Hold::Linear);
+}
+
+TEST(ShownHolds, HeldInputsAreThoseThatSaySo) {
+  Dataset data;
+  data.inputs = {{"a", "", Hold::Zero}, {"b", "", Hold::Linear}, {"c", ""}, {"d", "", Hold::Zero}};
+  EXPECT_THAT(held_inputs(data), ::testing::ElementsAre(0, 3));
+}
+
+TEST(ShownHolds, RecordsGetThoseThatNothingIsSaidOf) {
+  Dataset data = support::held_record(Hold::Zero, 0.0);
+  data.inputs[0].hold.reset();
+  const auto held = with_shown_holds(data);
+  ASSERT_TRUE(held);
+  EXPECT_EQ(held->inputs[0].hold, Hold::Zero);
+  data.inputs[0].hold = Hold::Linear;
+  EXPECT_FALSE(with_shown_holds(data));
+  EXPECT_FALSE(with_shown_holds(support::hidden_record(support::nothing, 0.0)));
 }
 
 }  // namespace

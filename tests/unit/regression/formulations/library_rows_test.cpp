@@ -98,5 +98,20 @@ TEST(LibraryRows, FiniteRowsHaveNoSuchEntry) {
       LibraryRows(library_of({"x"}), {record_with_derivatives(600)}).find_non_finite());
 }
 
+/// Where a held input jumps a row is the mean of both limits, in whatever tile it is read.
+TEST(LibraryRows, HeldInputsJump) {
+  Trajectory record = record_with_derivatives(30);
+  record.inputs.col(0).setConstant(1.0);
+  record.inputs.col(0).tail(12).setConstant(4.0);
+  const TermLibrary library = library_of({"u^2", "x"});
+  const LibraryRows held(library, {record}, 0, {0}), smooth(library, {record});
+  Matrix expected = read(smooth, 0, 30).theta;
+  EXPECT_EQ(expected(18, 0), 16.0);
+  expected(18, 0) = 8.5;
+  EXPECT_EQ(read(held, 0, 30).theta, expected);
+  EXPECT_EQ(read(held, 17, 3).theta, expected.middleRows(17, 3));
+  EXPECT_EQ(read(held, 18, 1).theta, expected.middleRows(18, 1));
+}
+
 }  // namespace
 }  // namespace lacuna

@@ -65,6 +65,26 @@ TEST(StreamedRows, AreThoseOfWholeRecords) {
   }
 }
 
+/// Pieces begin at row 2^13: a jump there shows in the last sample of the piece before.
+TEST(StreamedRows, HeldInputsJumpWhereverPiecesBegin) {
+  Dataset data = testing::long_oscillation(20000, 97.3, 0.01);
+  Trajectory& record = data.trajectories[0];
+  record.inputs = Matrix::Zero(record.samples(), 1);
+  const FiniteDifferences method{{.order = 8}};
+  const Index begin = (Index{1} << 13) + method.margin();
+  for (const Index jump : {Index{5}, begin, Index{12345}})
+    record.inputs.bottomRows(record.samples() - jump).array() += 2.0;
+  TermLibrary library{{{"x", "v"}, {"u"}}, {}};
+  library.terms = {Term::parse("u^2", library.variables), Term::parse("x", library.variables)};
+  const LibraryRows whole(library, {with_derivatives(record, method, true)}, method.margin(),
+                          {0});
+  const StreamedRows streamed(library, {source_of(record)}, {method, true}, false, {0});
+  ASSERT_EQ(streamed.rows(), whole.rows());
+  const Matrix expected = all_rows_of(whole, whole.rows()).theta;
+  EXPECT_EQ(expected(begin - method.margin(), 0), 10.0);  // the mean of 2^2 and 4^2
+  EXPECT_LT((all_rows_of(streamed, 256).theta - expected).cwiseAbs().maxCoeff(), 1e-12);
+}
+
 TEST(StreamedRows, GivenDerivativesAreTakenAsTheyAre) {
   Dataset data = testing::long_oscillation(20000, 97.3);
   data.trajectories[0].derivatives = 2.0 * data.trajectories[0].states;
