@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
 #include <string_view>
+
+#include "lacuna/core/base/options.hpp"
 
 namespace lacuna {
 
@@ -14,5 +17,15 @@ enum class PenaltyChoice {
 
 /// Names of the choices, in their order.
 inline constexpr std::string_view kPenaltyChoices[] = {"gcv", "reml", "noise"};
+
+/// Describes the options of a differentiator that smooths by a penalty.
+/// @param order what is penalised, in a sentence; @param unit of lambda.
+inline void describe_penalty(OptionVisitor& v, std::string_view what, std::string_view unit,
+                             int& order, PenaltyChoice& choice, std::optional<double>& lambda) {
+  v.field({"order", "", what, 2.0, 4.0}, order);
+  v.field({"choice", "", "What lambda is chosen by where it is not given."}, kPenaltyChoices,
+          choice);
+  v.field({"lambda", unit, "Weight of the penalty; chosen when not given.", 1e-300}, lambda);
+}
 
 }  // namespace lacuna
