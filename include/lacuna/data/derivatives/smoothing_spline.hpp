@@ -21,8 +21,7 @@ struct SmoothingSplineOptions {
   std::optional<double> lambda = {};
 
   void describe(OptionVisitor& v) {
-    describe_penalty(v, "m: the m-th derivative is penalised.", "time^(2m-1)",
-                     order, choice, lambda);
+    describe_penalty(v, "m: the m-th derivative is penalised.", "time^(2m-1)", *this);
   }
 };
 

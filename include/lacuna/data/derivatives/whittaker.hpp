@@ -22,8 +22,7 @@ struct WhittakerOptions {
   std::optional<double> lambda = {};
 
   void describe(OptionVisitor& v) {
-    describe_penalty(v, "d: divided differences of order d are penalised.", "time^(2d-1)",
-                     order, choice, lambda);
+    describe_penalty(v, "d: divided differences of order d are penalised.", "time^(2d-1)", *this);
   }
 };
 
