@@ -2,6 +2,7 @@
 #include "support/settings.hpp"
 
 #include <charconv>
+#include <cstdlib>
 #include <iostream>
 
 #include "lacuna/core/base/error.hpp"
@@ -25,6 +26,12 @@ std::size_t StudyArguments::count_at(std::size_t place, std::size_t otherwise) c
 
 std::filesystem::path StudyArguments::folder_at(std::size_t place) const {
   return at(place, "build/studies/" + study);
+}
+
+std::string StudyArguments::measured_data() const {
+  if (const char* folder = std::getenv("LACUNA_DATA")) return folder;
+  throw ConfigError("study_" + study, "LACUNA_DATA is not set",
+                    "set it to the folder of the measured records");
 }
 
 CellStore StudyArguments::store(const std::string& given) const {

@@ -40,6 +40,9 @@ struct StudyArguments {
   /// The same as a folder of output; build/studies/STUDY where there is none.
   std::filesystem::path folder_at(std::size_t place) const;
 
+  /// The folder of the measured records, LACUNA_DATA. @throws ConfigError where it is not set.
+  std::string measured_data() const;
+
   /// The store of this process. @param given what, beside options of `identify` and the name of
   /// a cell, decides its values. @throws ConfigError as share_of_launcher().
   CellStore store(const std::string& given = "") const;

@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <ctime>
 #include <fstream>
+#include <iostream>
 #include <thread>
 
 #include "core/base/text.hpp"
@@ -52,6 +53,13 @@ void write_results(const std::filesystem::path& folder, const std::string& name,
   std::filesystem::create_directories(folder);
   write_file_atomically(folder / (name + ".csv"), csv);
   write_file_atomically(folder / (name + ".md"), markdown);
+}
+
+void write_page(const std::filesystem::path& folder, const std::string& name,
+                const std::string& text) {
+  std::filesystem::create_directories(folder);
+  write_file_atomically(folder / (name + ".md"), text);
+  std::cout << text;
 }
 
 std::string machine_description() {

@@ -22,6 +22,11 @@ struct ResultTable {
 void write_results(const std::filesystem::path& folder, const std::string& name,
                    const std::string& csv, const std::string& markdown);
 
+/// Writes NAME.md, whole or not at all, and prints it; the folder is made where it is missing.
+/// @throws FileError when it cannot be written.
+void write_page(const std::filesystem::path& folder, const std::string& name,
+                const std::string& text);
+
 /// "Intel(R) ..., 2 cores, g++ 12.2.0": the machine and compiler a table was made with.
 std::string machine_description();
 

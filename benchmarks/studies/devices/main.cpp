@@ -4,13 +4,10 @@
 // [--cells FOLDER], with LACUNA_DATA set.
 #include <chrono>
 #include <cmath>
-#include <cstdlib>
 #include <filesystem>
-#include <iostream>
 
 #include "cli/configuration/diagnosis_configuration.hpp"
 #include "core/base/text.hpp"
-#include "core/files/atomic_file.hpp"
 #include "lacuna/core/base/error.hpp"
 #include "lacuna/data/derivatives/finite_differences.hpp"
 #include "lacuna/diagnose/journey/diagnose.hpp"
@@ -116,11 +113,7 @@ std::string table_of(const std::vector<Device>& devices, const std::vector<Told>
 }
 
 int run(const StudyArguments& arguments) {
-  const std::filesystem::path output = arguments.folder_at(0);
-  const char* folder = std::getenv("LACUNA_DATA");
-  if (!folder)
-    throw ConfigError("study_devices", "LACUNA_DATA is not set",
-                      "set it to the folder of the measured records");
+  const std::string folder = arguments.measured_data();
   std::vector<Device> devices;
   for (Device& device : all_devices())
     if (device.find.find(arguments.at(1)) != std::string::npos)
@@ -130,13 +123,11 @@ int run(const StudyArguments& arguments) {
     cells.add(device.model + " " + device.find, [=] { return told_of(folder, device); });
   const auto finished = run_cells(arguments.store(folder), cells);
   if (!finished) return 0;
-  const std::string text = "# Devices\n\n" + table_of(devices, finished->values) + "\n" +
-                           finished->origin.machine + ", " + finished->origin.day +
-                           ". Gaps are those on records that chose nothing. Command: "
-                           "`LACUNA_DATA=... study_devices FOLDER`\n";
-  std::filesystem::create_directories(output);
-  write_file_atomically(output / "devices.md", text);
-  std::cout << text;
+  write_page(arguments.folder_at(0), "devices",
+             "# Devices\n\n" + table_of(devices, finished->values) + "\n" +
+                 finished->origin.machine + ", " + finished->origin.day +
+                 ". Gaps are those on records that chose nothing. Command: "
+                 "`LACUNA_DATA=... study_devices FOLDER`\n");
   return 0;
 }
 

@@ -4,12 +4,9 @@
 // [--cells FOLDER]
 #include <chrono>
 #include <cmath>
-#include <cstdlib>
 #include <filesystem>
-#include <iostream>
 
 #include "core/base/text.hpp"
-#include "core/files/atomic_file.hpp"
 #include "diagnosed.hpp"
 #include "lacuna/core/base/error.hpp"
 #include "lacuna/data/derivatives/finite_differences.hpp"
@@ -91,11 +88,7 @@ std::string oscillator(const std::filesystem::path& folder) {
 }
 
 int run(const StudyArguments& arguments) {
-  const std::filesystem::path output = arguments.folder_at(0);
-  const char* folder = std::getenv("LACUNA_DATA");
-  if (!folder)
-    throw ConfigError("study_measured", "LACUNA_DATA is not set",
-                      "set it to the folder of the measured records");
+  const std::string folder = arguments.measured_data();
   // Each uses all cores and tells its seconds.
   Cells<std::string> cells(Pace::OneByOne);
   cells.add("EMPS", [&] { return positioning(folder); });
@@ -104,13 +97,10 @@ int run(const StudyArguments& arguments) {
   cells.add("Silverbox diagnosed", [&] { return diagnosed_oscillator(folder); });
   const auto finished = run_cells(arguments.store(folder), cells);
   if (!finished) return 0;
-  const std::string text =
-      "# Measured records\n\n" + join(finished->values, "\n") + "\n" +
-      finished->origin.machine + ", " + finished->origin.day +
-      ". Seconds are of the clock. Command: `LACUNA_DATA=... study_measured FOLDER`\n";
-  std::filesystem::create_directories(output);
-  write_file_atomically(output / "measured.md", text);
-  std::cout << text;
+  write_page(arguments.folder_at(0), "measured",
+             "# Measured records\n\n" + join(finished->values, "\n") + "\n" +
+                 finished->origin.machine + ", " + finished->origin.day +
+                 ". Seconds are of the clock. Command: `LACUNA_DATA=... study_measured FOLDER`\n");
   return 0;
 }
 

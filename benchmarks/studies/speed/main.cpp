@@ -2,12 +2,16 @@
 // Time to the first and to the final answer of everyday questions. Usage:
 // study_speed [OUTPUT_FOLDER] [PART_OF_A_NAME] [REPEATS] [DATA_FOLDER] [quick|normal|full|limit]
 //             (default build/studies/speed, all, 1, $LACUNA_DATA, all of them)
+// study_speed OUTPUT_FOLDER PART_OF_A_NAME REPEATS DATA_FOLDER '' PROGRAM_BEFORE PROGRAM_NOW
+// asks two programs `lacuna`, in turns, and writes the table two_programs. Names are parts
+// separated by semicolons.
 #include <sys/resource.h>
 
 #include <algorithm>
 #include <chrono>
 #include <cstdlib>
 #include <iostream>
+#include <sstream>
 
 #include "core/base/text.hpp"
 #include "lacuna/dynamics/integration/runge_kutta.hpp"
@@ -18,6 +22,7 @@
 #include "support/parallel.hpp"
 #include "support/settings.hpp"
 #include "support/table.hpp"
+#include "two_programs.hpp"
 
 namespace lacuna::benchmarks {
 namespace {
@@ -105,16 +110,50 @@ std::vector<Way> ways_of(const std::string& wanted) {
   return ways;
 }
 
+/// Questions whose names have one of the wanted parts.
+std::vector<QuestionMaker> wanted_questions(const std::string& data, const std::string& wanted) {
+  std::vector<QuestionMaker> questions;
+  for (QuestionMaker& maker : everyday_questions(data)) {
+    std::istringstream parts(wanted);
+    bool is_wanted = wanted.empty();
+    for (std::string part; std::getline(parts, part, ';');)
+      is_wanted = is_wanted || maker.name.find(part) != std::string::npos;
+    if (is_wanted) questions.push_back(std::move(maker));
+  }
+  return questions;
+}
+
+void compare_programs(const StudyArguments& arguments,
+                      const std::vector<QuestionMaker>& questions, std::size_t repeats) {
+  const std::filesystem::path folder = arguments.folder_at(0);
+  const ResultTable table = compared(
+      {arguments.at(5), arguments.at(6), repeats, folder / "two_programs"}, questions);
+  write_results(folder, "two_programs", table.csv(),
+                "# Everyday questions to two programs\n\n" + machine_description() + ", " +
+                    today() +
+                    ". CPU seconds of the command, with reading of the files, medians of " +
+                    std::to_string(repeats) +
+                    "; the programs take turns.\nThe first answer is that of `--effort quick`. "
+                    "Answers are compared by their terms, verdicts and names.\nCommand: "
+                    "`study_speed FOLDER '" +
+                    arguments.at(1) + "' " + std::to_string(repeats) +
+                    " DATA '' PROGRAM_BEFORE PROGRAM_NOW`\n\n" + table.markdown());
+}
+
 int run(const StudyArguments& arguments) {
   const char* given = std::getenv("LACUNA_DATA");
   const std::string data = arguments.at(3, given != nullptr ? given : "");
   const std::size_t repeats = std::max<std::size_t>(1, arguments.count_at(2, 1));
+  const std::vector<QuestionMaker> questions = wanted_questions(data, arguments.at(1));
+  if (!arguments.at(6).empty()) {
+    compare_programs(arguments, questions, repeats);
+    return 0;
+  }
   const double kernel = calibration();
   ResultTable table{{"question", "samples", "way", "wall s", "CPU s", "CPU / kernel", "peak MB",
                      "left out", "answer"},
                     {}};
-  for (const QuestionMaker& maker : everyday_questions(data)) {
-    if (maker.name.find(arguments.at(1)) == std::string::npos) continue;
+  for (const QuestionMaker& maker : questions) {
     const Question question = maker.make();
     for (const Way& way : ways_of(arguments.at(4))) {
       const Timed one = median_of(question, way.effort, way.limit, repeats);
@@ -143,7 +182,8 @@ int run(const StudyArguments& arguments) {
 
 int main(int argc, char** argv) {
   return lacuna::benchmarks::study_main(
-      {"speed", "[OUTPUT_FOLDER] [PART_OF_A_NAME] [REPEATS] [DATA_FOLDER] [WAYS]",
+      {"speed", "[OUTPUT_FOLDER] [PART_OF_A_NAME] [REPEATS] [DATA_FOLDER] [WAYS] "
+       "[PROGRAM_BEFORE PROGRAM_NOW]",
        lacuna::benchmarks::run},
       argc, argv);
 }

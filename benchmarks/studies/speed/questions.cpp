@@ -5,12 +5,14 @@
 #include <utility>
 
 #include "core/base/text.hpp"
+#include "core/files/atomic_file.hpp"
 #include "dynamics/test_systems/shipped_record.hpp"
 #include "hidden/support/cases.hpp"
 #include "hidden/support/records.hpp"
 #include "lacuna/cli/configuration/registry.hpp"
 #include "lacuna/data/derivatives/finite_differences.hpp"
 #include "lacuna/data/formats/read.hpp"
+#include "lacuna/data/formats/write.hpp"
 #include "lacuna/diagnose/journey/diagnose.hpp"
 #include "lacuna/dynamics/integration/runge_kutta.hpp"
 #include "lacuna/dynamics/test_systems/measurement.hpp"
@@ -51,8 +53,9 @@ std::string verdict_of(const IdentificationResult& result) {
   return result.validation ? to_string(result.validation->verdict) : "not validated";
 }
 
+/// @param preset of the command; "" for its default.
 Question identify_question(const std::string& name, Dataset data, Pipeline pipeline,
-                           LibraryScope library) {
+                           LibraryScope library, const std::string& preset) {
   const std::string size = size_of(data);
   auto shared = std::make_shared<const Dataset>(std::move(data));
   return {name, size, [=](Thoroughness effort, const RunContext& context) {
@@ -62,6 +65,15 @@ Question identify_question(const std::string& name, Dataset data, Pipeline pipel
             const IdentificationResult& result = found.result;
             return Reply{verdict_of(result) + "; " + equations_line(result.model),
                          left_out_line(result.stages)};
+          },
+          [=](const fs::path& folder) {
+            const std::string file = (folder / "find.csv").string();
+            write_csv(file, *shared);
+            std::vector<std::string> arguments{"identify", file};
+            if (!shared->inputs.empty())
+              arguments.insert(arguments.end(), {"--inputs", join(names_of(shared->inputs), ",")});
+            if (!preset.empty()) arguments.insert(arguments.end(), {"--preset", preset});
+            return arguments;
           }};
 }
 
@@ -73,7 +85,7 @@ Dataset lorenz_record(Index samples) {
 
 QuestionMaker identify_maker(const std::string& name, const std::function<Dataset()>& data) {
   return {name, [=] {
-            return identify_question(name, data(), algorithm1(), LibraryScope::Extended);
+            return identify_question(name, data(), algorithm1(), LibraryScope::Extended, "");
           }};
 }
 
@@ -97,7 +109,7 @@ std::vector<QuestionMaker> identify_questions() {
   all.push_back({"identify lorenz 1e4, preset sindy", [] {
                    return identify_question("identify lorenz 1e4, preset sindy",
                                             lorenz_record(10000), preset("sindy"),
-                                            LibraryScope::AsGiven);
+                                            LibraryScope::AsGiven, "sindy");
                  }});
   return all;
 }
@@ -110,25 +122,42 @@ std::string named_in(const Diagnosis& diagnosis) {
   return text;
 }
 
-Question diagnose_question(const std::string& name, const OdeModel& nominal, Dataset find,
-                           Dataset check) {
-  const std::string size = size_of(find);
+/// Records in a model's variables, whose other states are made from those that were measured.
+Dataset seen_by(const OdeModel& nominal, const Dataset& data) {
+  if (data.trajectories.empty() || data.state_count() == nominal.dimension()) return data;
+  return model_view(nominal, data, FiniteDifferences{});
+}
+
+/// @param find, check as they were measured.
+Question diagnose_question(const std::string& name, const OdeModel& nominal,
+                           const Dataset& find, const Dataset& check) {
   auto both = std::make_shared<const hidden::Records>(
-      hidden::Records{std::move(find), std::move(check)});
+      hidden::Records{seen_by(nominal, find), seen_by(nominal, check)});
+  const std::string size = size_of(both->find);
   return {name, size, [=](Thoroughness effort, const RunContext& context) {
             DiagnosisOptions options;
             options.effects = default_registry().make_all<Effect>();
             options.effort = effort;
             const Diagnosis found = diagnose(nominal, both->find, both->check, options, context);
             return Reply{named_in(found), left_out_line(found.stages)};
+          },
+          [=](const fs::path& folder) {
+            const auto file = [&](const char* ending) { return (folder / ending).string(); };
+            write_file_atomically(file("model.json"), format_model(nominal));
+            write_csv(file("find.csv"), find);
+            std::vector<std::string> arguments{"diagnose", "--model", file("model.json"),
+                                               file("find.csv")};
+            if (check.trajectories.empty()) return arguments;
+            write_csv(file("check.csv"), check);
+            arguments.insert(arguments.end(), {"--holdout", file("check.csv")});
+            return arguments;
           }};
 }
 
 QuestionMaker diagnose_case(const std::string& name, const hidden::HiddenCase& hidden) {
   return {name, [=] {
-            hidden::Records records = hidden::make_records(hidden, kNoise, kSeed);
-            return diagnose_question(name, hidden.nominal, std::move(records.find),
-                                     std::move(records.check));
+            const hidden::Records records = hidden::make_records(hidden, kNoise, kSeed);
+            return diagnose_question(name, hidden.nominal, records.find, records.check);
           }};
 }
 
@@ -145,12 +174,9 @@ QuestionMaker hidden_masses() {
   return {name, [=] {
             const hidden::HiddenCase masses = hidden::case_named("masses-hard-coupling");
             hidden::Records records = hidden::make_records(masses, kNoise, kSeed);
-            const auto seen = [&](Dataset& data) {
-              return model_view(masses.nominal, without_second_mass(std::move(data)),
-                                FiniteDifferences{});
-            };
-            return diagnose_question(name, masses.nominal, seen(records.find),
-                                     seen(records.check));
+            return diagnose_question(name, masses.nominal,
+                                     without_second_mass(std::move(records.find)),
+                                     without_second_mass(std::move(records.check)));
           }};
 }
 
@@ -179,11 +205,8 @@ QuestionMaker silverbox(const fs::path& data) {
             const Dataset all =
                 read_dataset({(data / "silverbox/silverbox_snls80mv.csv.gz").string()},
                              {.states = {"y"}, .inputs = {"u"}});
-            return diagnose_question(
-                name, nominal,
-                model_view(nominal, rows_of(all, kSilverboxFirst, kSilverboxCount),
-                           FiniteDifferences{}),
-                {});
+            return diagnose_question(name, nominal,
+                                     rows_of(all, kSilverboxFirst, kSilverboxCount), {});
           }};
 }
 
@@ -195,8 +218,15 @@ QuestionMaker stock_tl072(const fs::path& data) {
             const auto read = [&](const char* file) {
               return read_records(nominal, {(folder / file).string()}, {}, FiniteDifferences{});
             };
-            return diagnose_question(name, nominal, read("r1_adc.csv.gz"),
-                                     read("r2_adc.csv.gz"));
+            Question question = diagnose_question(name, nominal, read("r1_adc.csv.gz"),
+                                                  read("r2_adc.csv.gz"));
+            question.write = [=](const fs::path&) {
+              const auto file = [&](const char* ending) { return (folder / ending).string(); };
+              return std::vector<std::string>{"diagnose",        "--model",
+                                              file("nominal.json"), file("r1_adc.csv.gz"),
+                                              "--holdout",       file("r2_adc.csv.gz")};
+            };
+            return question;
           }};
 }
 

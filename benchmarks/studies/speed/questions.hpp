@@ -23,6 +23,9 @@ struct Question {
   std::string name;  ///< "identify lorenz 1e4"
   std::string size;  ///< "10000 x 3"
   std::function<Reply(Thoroughness, const RunContext&)> ask;
+
+  /// Writes what the command needs into a folder. @return its arguments, without --json.
+  std::function<std::vector<std::string>(const std::filesystem::path& folder)> write;
 };
 
 /// What makes a question; its data are made when it is asked for.

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/base/check.hpp"
+#include "data/derivatives/excerpt.hpp"
 
 namespace lacuna {
 
@@ -18,6 +19,18 @@ Index penalty_margin(double lambda, double step, int order) {
                  "lambda, step or order is not positive");
   const double samples = std::pow(lambda / std::pow(step, 2 * order - 1), 0.5 / order);
   return static_cast<Index>(std::ceil(2.0 * std::min(samples, 1e6)));
+}
+
+ChosenPenalty chosen_penalty(const Dataset& part, const PenalisedProblem& problem,
+                             const Matrix& values, PenaltyChoice choice,
+                             const std::optional<Vector>& noise) {
+  const int order = static_cast<int>(problem.null_space);
+  const double step = mean_step(part.trajectories.front());
+  const PenaltyRange range = penalty_range(step, order);
+  const Vector sigma = choice == PenaltyChoice::Noise ? noise_of(part, noise) : Vector();
+  const double lambda =
+      choose_lambda(problem, values, choice, sigma, range.least, range.largest);
+  return {lambda, penalty_margin(lambda, step, order)};
 }
 
 }  // namespace lacuna

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "lacuna/core/base/types.hpp"
+#include <optional>
+
+#include "data/derivatives/penalised_fit.hpp"
+#include "lacuna/data/records/dataset.hpp"
 
 namespace lacuna {
 
@@ -18,5 +21,18 @@ PenaltyRange penalty_range(double step, int order);
 /// length over which the equivalent kernel falls by a factor e (Silverman, Ann. Stat. 12 (1984)
 /// 898-916).
 Index penalty_margin(double lambda, double step, int order);
+
+/// A chosen weight, and how far from an end it is felt.
+struct ChosenPenalty {
+  double lambda = 0.0;  ///< time^(2m-1)
+  Index margin = 0;     ///< samples
+};
+
+/// The weight that the middle of a dataset chooses, within penalty_range().
+/// @param part middle_of() the dataset; @param problem of its record; @param values n x m: what
+/// is smoothed, the record without its trend; @param noise of the whole dataset, m, or none.
+ChosenPenalty chosen_penalty(const Dataset& part, const PenalisedProblem& problem,
+                             const Matrix& values, PenaltyChoice choice,
+                             const std::optional<Vector>& noise);
 
 }  // namespace lacuna

@@ -68,14 +68,12 @@ std::shared_ptr<const Differentiator> Whittaker::do_fit(
   check_samples(info().name, middle.samples(), do_fewest_samples());
   const DifferenceRecord record =
       difference_record(middle.time, middle.states, options().order);
-  const PenaltyRange range = penalty_range(mean_step(middle), options().order);
-  const Vector sigma =
-      options().choice == PenaltyChoice::Noise ? noise_of(part, noise) : Vector();
+  const auto [lambda, margin] =
+      chosen_penalty(part, record.problem, record.rest, options().choice, noise);
   Options fitted = options();
-  fitted.lambda = choose_lambda(record.problem, record.rest, options().choice, sigma,
-                                range.least, range.largest);
+  fitted.lambda = lambda;
   auto method = std::make_shared<Whittaker>(fitted);
-  method->margin_ = penalty_margin(*fitted.lambda, mean_step(middle), options().order);
+  method->margin_ = margin;
   return method;
 }
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <exception>
 #include <limits>
 #include <nlopt.hpp>
@@ -45,7 +46,8 @@ nlopt::opt method(Best& best, const SimplexSettings& settings) {
   // A fact of the method: steps below this change no shape that is printed.
   constexpr double kLeastStep = 1e-7;
   const auto size = static_cast<unsigned>(best.point.size());
-  nlopt::opt method(size <= kSizeOfSbplx ? nlopt::LN_SBPLX : nlopt::LN_NELDERMEAD, size);
+  const bool by_sbplx = settings.method == CubeMethod::Sbplx || size <= kSizeOfSbplx;
+  nlopt::opt method(by_sbplx ? nlopt::LN_SBPLX : nlopt::LN_NELDERMEAD, size);
   method.set_min_objective(evaluated, &best);
   method.set_lower_bounds(0.0);
   method.set_upper_bounds(1.0);
@@ -70,7 +72,7 @@ Vector least_in_cube(FunctionRef<double(const Vector&)> function, const Vector& 
   for (;;) {
     const double before = best.least;
     nlopt::opt search = method(best, settings);
-    search.set_maxeval(settings.evaluations - best.evaluations);
+    search.set_maxeval(std::max(1, settings.evaluations - best.evaluations));
     std::vector<double> at(best.point.begin(), best.point.end());
     double least = 0.0;
     try {
@@ -81,7 +83,8 @@ Vector least_in_cube(FunctionRef<double(const Vector&)> function, const Vector& 
       std::rethrow_exception(best.failure);
     }
     const bool improved = best.least < before - settings.unnoticed;
-    if (!is_on_a_face(best.point) || !improved || best.evaluations >= settings.evaluations)
+    const bool ends = settings.method == CubeMethod::Sbplx || !is_on_a_face(best.point);
+    if (ends || !improved || best.evaluations >= settings.evaluations)
       return best.point;
   }
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The search for shape parameters: without derivatives, in a box scaled to the unit cube.
+// The search for shape parameters and designs: without derivatives, in a box scaled to the unit
+// cube.
 #pragma once
 
 #include "nelder_mead.hpp"
@@ -7,9 +8,9 @@
 namespace lacuna {
 
 /// Where the function is least, starting from a point in [0,1]^d; never worse than the start.
-/// By NLopt: Sbplx for one or two parameters, Nelder and Mead's method in a box for more, set up
-/// again where it has ended on a face, as long as that helps. nelder_mead() where lacuna is
-/// built without NLopt.
+/// By NLopt and the method of the settings; unless that is CubeMethod::Sbplx, set up again where
+/// it has ended on a face, as long as that helps. nelder_mead() where lacuna is built without
+/// NLopt.
 /// @param function is called with points of the cube only; its exceptions end the search.
 /// Source: Rowan, "Functional stability analysis of numerical algorithms", thesis, University of
 /// Texas at Austin (1990); Box, Computer J. 8:42-52 (1965).

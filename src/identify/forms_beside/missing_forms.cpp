@@ -18,6 +18,12 @@ bool jumps(const Expression& form) {
          std::any_of(form.operands().begin(), form.operands().end(), jumps);
 }
 
+bool is_among(const Start& start, const std::vector<Start>& others) {
+  return std::any_of(others.begin(), others.end(), [&](const Start& other) {
+    return other.candidate == start.candidate && other.form.shapes == start.form.shapes;
+  });
+}
+
 /// Without a form that is there twice: two that were shaped apart may have become one.
 std::vector<MissingForm> distinct(const std::vector<MissingForm>& forms) {
   std::vector<MissingForm> result;
@@ -104,6 +110,7 @@ EquationForms FormSearch::with_fewer_terms(EquationForms equation,
   std::vector<Start> starts = all_starts(candidates);
   const std::array<const EquationForms*, 3> bases{&equation, &linear, &whole};
   const Matrix rated = problem_->rated({{equation, true}, {linear}, {whole}}, starts);
+  std::vector<Start> chosen_starts;  ///< with which terms of the library were chosen already
   for (std::size_t b = 0; b < bases.size(); ++b) {
     const EquationForms* const from = bases[b];
     set_residuals(rated.col(static_cast<Index>(b)), starts);
@@ -111,9 +118,14 @@ EquationForms FormSearch::with_fewer_terms(EquationForms equation,
     std::vector<std::array<std::optional<Trial>, 2>> trials(best_starts.size());
     parallel_for(trials.size(), problem_->context().threads, [&](std::size_t i) {
       const MissingForm& form = best_starts[i].form;
+      // The form stays in every trial: alone it may have too many parameters already.
+      if (1 + static_cast<std::size_t>(form.shapes.size()) >= equation.parameters()) return;
       if (from != &whole) trials[i][0] = problem_->thinned(*from, form, limit);
-      if (from != &linear) trials[i][1] = problem_->chosen(whole, form, limit);
+      const bool is_chosen = from == &whole && is_among(best_starts[i], chosen_starts);
+      if (from != &linear && !is_chosen)
+        trials[i][1] = problem_->chosen(whole, form, limit);
     });
+    if (from == &equation) chosen_starts = best_starts;
     for (const auto& of_start : trials)
       for (const std::optional<Trial>& trial : of_start)
         if (trial) take(*trial);

@@ -56,11 +56,6 @@ Channel channel_of(const Dataset& data, Index state, const StateNoise& noise) {
 
 }  // namespace
 
-BoundRecords bind(const OdeModel& model, const Dataset& data,
-                  const Differentiator& differentiator) {
-  return observed(model_view(model, data, differentiator));
-}
-
 BoundRecords observed(Dataset data, const ChannelOptions& options) {
   check_dataset(data);
   data = with_input_columns(std::move(data));

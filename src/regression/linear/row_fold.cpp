@@ -41,7 +41,8 @@ RowFold::RowFold(Index columns, Folding folding)
                     : Scratch::padded_rows(std::max(kTriangleRows, columns))),
       scratch_(capacity_, columns) {
   const Index size = folding == Folding::Gram ? scratch_.padded_columns() : columns;
-  folded_.setZero(size, size);
+  folded_.resize(size, size);
+  folded_.setZero();
 }
 
 double* RowFold::next_row() {

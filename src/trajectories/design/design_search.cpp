@@ -6,6 +6,7 @@
 
 #include "core/base/parallel.hpp"
 #include "core/base/random.hpp"
+#include "forms/candidate/shape_search.hpp"
 
 namespace lacuna {
 namespace {
@@ -71,9 +72,14 @@ std::vector<ScoredDesign> chosen(std::vector<ScoredDesign> all, std::size_t spac
 ScoredDesign improved(ScoredDesign start, const Score& score, int evaluations) {
   if (start.design.size() == 0) return start;
   ScoredDesign best = exchanged(std::move(start), score, evaluations / 2);
-  best.design = least_design(
+  // A decision: a design has more numbers than Nelder and Mead's method is good for, and changes
+  // by a seventh of their ranges are what the exchange before has left open.
+  constexpr double kFirstStep = 0.15;
+  best.design = least_in_cube(
       [&](const Vector& design) { return -score(best.space, design); }, best.design,
-      evaluations - evaluations / 2);
+      {.reach = kFirstStep,
+       .evaluations = evaluations - evaluations / 2,
+       .method = CubeMethod::Sbplx});
   best.score = score(best.space, best.design);
   return best;
 }

@@ -41,10 +41,4 @@ std::vector<ScoredDesign> best_designs(const std::vector<Index>& sizes,
 /// @param evaluations at most so many.
 ScoredDesign exchanged(ScoredDesign start, const Score& score, int evaluations);
 
-/// Where a function is least in [0,1]^d, from a start: NLopt's Sbplx (Rowan, thesis, University
-/// of Texas at Austin, 1990), or nelder_mead() where lacuna is built without NLopt. Never worse
-/// than the start.
-Vector least_design(FunctionRef<double(const Vector&)> function, const Vector& start,
-                    int evaluations);
-
 }  // namespace lacuna

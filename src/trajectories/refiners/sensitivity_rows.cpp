@@ -91,7 +91,8 @@ void integrate_rows(const WindowRates& rates, const std::vector<ColumnBlock>& bl
   Index width = m + 1;
   for (const ColumnBlock& block : blocks) width += static_cast<Index>(block.terms.size());
   result.next.resize(width, m);
-  result.now.setZero(width, m);
+  result.now.resize(width, m);
+  result.now.setZero();
   result.now.topRows(m).setIdentity();
   result.rows.resize(width, window.samples * m);
   result.used = 0;

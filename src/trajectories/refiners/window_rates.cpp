@@ -31,7 +31,8 @@ void WindowRates::evaluate(const PathRecord& record, const SampleWindow& window)
     for (Index j = 0; j < m && rate; ++j)
       jacobians_.row(k + m * j).setConstant(j == *rate ? 1.0 : 0.0);
   }
-  offsets_.setZero(m, nodes);
+  offsets_.resize(m, nodes);
+  offsets_.setZero();
   for (Index j = 0; j < m; ++j)
     for (Index k = 0; k < m; ++k)
       if (!equations_->exact[static_cast<std::size_t>(k)])

@@ -41,7 +41,8 @@ void LibraryRates::jacobians(const Matrix& coefficients, Matrix& jacobians) {
   jacobian_.sums.set(coefficients.reshaped());
   entries_.resize(values_.rows(), jacobian_.sums.size());
   jacobian_.sums.apply(values_, entries_);
-  jacobians.setZero(m * m, values_.rows());
+  jacobians.resize(m * m, values_.rows());
+  jacobians.setZero();
   for (std::size_t i = 0; i < jacobian_.places.size(); ++i)
     jacobians.row(jacobian_.places[i].row + m * jacobian_.places[i].column) =
         entries_.col(static_cast<Index>(i)).transpose();

@@ -21,11 +21,7 @@ struct SmoothingSplineOptions {
   std::optional<double> lambda = {};
 
   void describe(OptionVisitor& v) {
-    v.field({"order", "", "m: the m-th derivative is penalised.", 2.0, 4.0}, order);
-    v.field({"choice", "", "What lambda is chosen by where it is not given."}, kPenaltyChoices,
-            choice);
-    v.field({"lambda", "time^(2m-1)", "Weight of the penalty; chosen when not given.", 1e-300},
-            lambda);
+    describe_penalty(v, "m: the m-th derivative is penalised.", "time^(2m-1)", *this);
   }
 };
 

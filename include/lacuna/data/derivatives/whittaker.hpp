@@ -22,11 +22,7 @@ struct WhittakerOptions {
   std::optional<double> lambda = {};
 
   void describe(OptionVisitor& v) {
-    v.field({"order", "", "d: divided differences of order d are penalised.", 2.0, 4.0}, order);
-    v.field({"choice", "", "What lambda is chosen by where it is not given."}, kPenaltyChoices,
-            choice);
-    v.field({"lambda", "time^(2d-1)", "Weight of the penalty; chosen when not given.", 1e-300},
-            lambda);
+    describe_penalty(v, "d: divided differences of order d are penalised.", "time^(2d-1)", *this);
   }
 };
 

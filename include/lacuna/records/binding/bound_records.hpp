@@ -35,13 +35,8 @@ struct ChannelOptions {
   double pile_up = 5.0;                   ///< see visible_limits()
 };
 
-/// Binds records to a model: model_view() and what the samples show of the measurement.
-/// @throws DataError as model_view() and check_dataset().
-BoundRecords bind(const OdeModel& model, const Dataset& data,
-                  const Differentiator& differentiator);
-
-/// What the samples show of the measurement, for records that are in a model's variables
-/// already (joined ones, a part of others): ends of channels, repeated values, outliers.
+/// Binds records to a model in whose variables they are already (model_view()): what the samples
+/// show of the measurement, ends of channels, repeated values, outliers.
 /// @throws DataError as check_dataset().
 BoundRecords observed(Dataset data, const ChannelOptions& options = {});
 

@@ -71,6 +71,28 @@ TEST(ShapeSearch, EndsWithTheEvaluationsThatItMayMakeAndWithExceptions) {
   EXPECT_THROW(least_in_cube(stopped, Vector::Constant(2, 0.5), kSearch), std::domain_error);
 }
 
+TEST(ShapeSearch, OfManyNumbersIsBySbplxWhereThatIsAskedFor) {
+  const SimplexSettings by_sbplx{.reach = 0.15, .evaluations = 600, .method = CubeMethod::Sbplx};
+  const SimplexSettings by_size{.reach = 0.15, .evaluations = 600};
+  const auto least_of = [](const SimplexSettings& settings, int& calls) {
+    const auto bowl = [&](const Vector& at) {
+      ++calls;
+      double sum = std::pow(at[0] + 0.2, 2);
+      for (Index i = 1; i < at.size(); ++i)
+        sum += static_cast<double>(i * i) * std::pow(at[i] - 0.1 * static_cast<double>(i), 2);
+      return sum;
+    };
+    return bowl(least_in_cube(bowl, Vector::Constant(8, 0.9), settings));
+  };
+  int calls = 0, others = 0;
+  const double least = least_of(by_sbplx, calls), other = least_of(by_size, others);
+  EXPECT_LE(calls, 605);
+  EXPECT_NEAR(least, 0.04, 1e-3);
+  if (searches_by_nlopt()) {
+    EXPECT_LT(least, other);
+  }
+}
+
 /// Profiles of one parameter, smooth and with bends; what is missed of the least value at most,
 /// and the evaluations of all searches.
 struct Effort {

@@ -27,7 +27,8 @@ Dataset without_rate() {
 TEST(Bind, SaysHowEachStateWasMeasured) {
   Dataset data = without_rate();
   data.trajectories[0].states(50, 0) += 1.0;
-  const BoundRecords records = bind(support::harmonic_model(), data, FiniteDifferences{});
+  const BoundRecords records =
+      observed(model_view(support::harmonic_model(), data, FiniteDifferences{}));
   EXPECT_EQ(records.data.states, support::harmonic_model().states());
   ASSERT_EQ(records.channels.size(), 2u);
   EXPECT_TRUE(records.channels[0].measured);

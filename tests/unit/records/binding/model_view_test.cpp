@@ -186,7 +186,7 @@ TEST(ModelView, AStateThatNobodyMeasuredIsHidden) {
   EXPECT_EQ(mark_of(view.trajectories[0].marks, 7, 1), Mark::Missing);
   EXPECT_EQ(mark_of(view.trajectories[0].marks, 7, 0), Mark::Value);
   EXPECT_NO_THROW(check_dataset(view));
-  EXPECT_FALSE(bind(model, data, kDifferences).channels[1].measured);
+  EXPECT_FALSE(observed(model_view(model, data, kDifferences)).channels[1].measured);
   EXPECT_NO_THROW(check_outputs_are_states(model, view));
   expect_error<DataError>([&] { model_view(model, data); }, "waves", "the state 'z'", "column");
 }
@@ -202,7 +202,7 @@ TEST(ModelView, AFormulaHasAColumnBehindTheStates) {
   EXPECT_EQ(outputs[0].column, 2);
   EXPECT_EQ(outputs[0].output.formula.to_string(), "abs(x)+z");
   EXPECT_TRUE(is_hidden(view, 0));
-  const BoundRecords records = bind(model, data, kDifferences);
+  const BoundRecords records = observed(model_view(model, data, kDifferences));
   ASSERT_EQ(records.channels.size(), 3u);
   EXPECT_TRUE(records.channels[2].measured);
 }

@@ -9,21 +9,6 @@
 namespace lacuna {
 namespace {
 
-TEST(LeastDesign, FindsTheMinimumInTheCubeAndOnItsFaces) {
-  int calls = 0;
-  const auto bowl = [&](const Vector& at) {
-    ++calls;
-    return std::pow(at[0] - 0.3, 2) + std::pow(at[1] + 0.2, 2);
-  };
-  const Vector found = least_design(bowl, Vector::Constant(2, 0.9), 300);
-  EXPECT_NEAR(found[0], 0.3, 1e-3);
-  EXPECT_NEAR(found[1], 0.0, 1e-3);
-  EXPECT_LE(calls, 310);
-  EXPECT_THROW(least_design([](const Vector&) -> double { throw std::runtime_error("no"); },
-                            Vector::Constant(2, 0.5), 10),
-               std::runtime_error);
-}
-
 TEST(Exchanged, ReachesTheCornerOfALinearFunction) {
   const Score score = [](std::size_t, const Vector& at) {
     return at[0] - 2.0 * at[1] - std::abs(at[2] - 0.5);
