@@ -14,7 +14,7 @@
 namespace lacuna::hidden {
 namespace {
 
-double deviation_of(const Vector& values) {
+double spread_of(const Vector& values) {
   return std::sqrt((values.array() - values.mean()).square().mean());
 }
 
@@ -27,23 +27,23 @@ void put_on_steps(double step, double digit, Random& random, Trajectory& record)
 }
 
 void put_on_coarse_steps(Random& random, Trajectory& record) {
-  const double step = random.uniform(0.1, 0.4) * deviation_of(record.states.col(0));
+  const double step = random.uniform(0.1, 0.4) * spread_of(record.states.col(0));
   put_on_steps(step, step, random, record);
 }
 
 /// A digit a seventh to a thirtieth of the step.
 void put_on_rounded_steps(Random& random, Trajectory& record) {
-  const double step = random.uniform(0.02, 0.1) * deviation_of(record.states.col(0));
+  const double step = random.uniform(0.02, 0.1) * spread_of(record.states.col(0));
   put_on_steps(step, step / random.uniform(7.0, 30.0), random, record);
 }
 
 void add_noise_to_input(Random& random, Trajectory& record) {
-  const double size = random.uniform(0.01, 0.02) * deviation_of(record.inputs.col(0));
+  const double size = random.uniform(0.01, 0.02) * spread_of(record.inputs.col(0));
   for (Index i = 0; i < record.samples(); ++i) record.inputs(i, 0) += size * random.normal();
 }
 
 void add_spikes(Random& random, Trajectory& record) {
-  const double spread = deviation_of(record.states.col(0));
+  const double spread = spread_of(record.states.col(0));
   const std::uint64_t count = 1 + random.below(4);
   for (std::uint64_t k = 0; k < count; ++k) {
     const auto place =
