@@ -7,6 +7,7 @@
 
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "hidden/support/records.hpp"
 #include "hidden/support/score.hpp"
@@ -41,6 +42,12 @@ Dataset in_other_unit(Dataset data, double factor, double offset) {
   return data;
 }
 
+std::vector<std::string> names_in(const Diagnosis& diagnosis) {
+  std::vector<std::string> names;
+  for (const NamedEffect& effect : diagnosis.effects) names.push_back(effect.name);
+  return names;
+}
+
 TEST(Twins, AChannelInAnotherUnitGetsTheSameAnswer) {
   const HiddenCase hidden = twin(Twin::LatticeFriction, 5061);
   const Records records = make_records(hidden, 0.005, 5061);
@@ -52,12 +59,11 @@ TEST(Twins, AChannelInAnotherUnitGetsTheSameAnswer) {
                       in_other_unit(records.check, factor, offset)});
   };
   const Diagnosis metres = answer(1.0, 0.0);
-  ASSERT_EQ(metres.effects.size(), 1U) << in_one_line(metres);
+  ASSERT_FALSE(metres.effects.empty()) << in_one_line(metres);
   EXPECT_EQ(metres.effects.front().name, "coulomb-friction");
   const auto& [counts, upside_down] = std::pair{answer(1024.0, 512.0), answer(-0.25, 3.0)};
   for (const Diagnosis* other : {&counts, &upside_down}) {
-    ASSERT_EQ(other->effects.size(), 1U) << in_one_line(*other);
-    EXPECT_EQ(other->effects.front().name, metres.effects.front().name);
+    ASSERT_EQ(names_in(*other), names_in(metres)) << in_one_line(*other);
     EXPECT_EQ(other->verdict, metres.verdict);
     EXPECT_NEAR(other->effects.front().sigma / metres.effects.front().sigma, 1.0, 0.01);
     EXPECT_NEAR(other->effects.front().coefficient / metres.effects.front().coefficient, 1.0,
