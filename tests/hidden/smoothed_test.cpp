@@ -10,6 +10,7 @@
 
 #include "hidden/support/cases.hpp"
 #include "hidden/support/records.hpp"
+#include "hidden/support/score.hpp"
 #include "lacuna/cli/configuration/registry.hpp"
 #include "lacuna/data/derivatives/finite_differences.hpp"
 #include "lacuna/diagnose/journey/diagnose.hpp"
@@ -72,14 +73,14 @@ const std::vector<double> kParabola{-2.0 / 21.0, 3.0 / 21.0, 6.0 / 21.0, 7.0 / 2
 TEST(Smoothed, NothingIsMissingForWhatAMeanHasBent) {
   for (const std::string name : {"lorenz-null", "prey-null", "motor-null"}) {
     const Diagnosis mean = of_smoothed(name, std::vector<double>(9, 1.0 / 9.0), 4);
-    EXPECT_EQ(mean.verdict, Verdict::NoDiscrepancy) << name;
+    EXPECT_EQ(mean.verdict, Verdict::NoDiscrepancy) << name << ": " << in_one_line(mean);
     EXPECT_TRUE(says(mean, "means over 9 samples")) << name;
   }
 }
 
 TEST(Smoothed, MeansOfWhatWasAreNoDelay) {
   const Diagnosis past = of_smoothed("motor-null", std::vector<double>(10, 0.1), 9);
-  EXPECT_EQ(past.verdict, Verdict::NoDiscrepancy);
+  EXPECT_EQ(past.verdict, Verdict::NoDiscrepancy) << in_one_line(past);
   EXPECT_TRUE(says(past, "means over the last 10 samples"));
 }
 

@@ -54,8 +54,9 @@ std::vector<Device> all_devices() {
 /// What came of one.
 struct Told {
   std::string verdict, names, failure;
-  double before = 0.0, after = 0.0, floor = 0.0, seconds = 0.0;
-  std::optional<double> free_run = {};
+  /// Nothing where there is no gap, as where the nominal model has no finite solution.
+  std::optional<double> before = {}, after = {}, floor = {}, free_run = {};
+  double seconds = 0.0;  ///< by the clock of the machine, whatever else runs there
 
   auto fields() {
     return std::tie(verdict, names, failure, before, after, floor, seconds, free_run);
@@ -95,7 +96,9 @@ Told told_of(const std::filesystem::path& folder, const Device& device) {
   return told;
 }
 
-std::string percent(double fraction) { return format_number(100.0 * fraction, 3); }
+std::string percent(const std::optional<double>& fraction) {
+  return fraction ? format_number(100.0 * *fraction, 3) : "";
+}
 
 std::string table_of(const std::vector<Device>& devices, const std::vector<Told>& all) {
   ResultTable table{{"record", "holds", "verdict", "names", "gap %, nominal", "after", "noise",

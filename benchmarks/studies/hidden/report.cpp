@@ -113,8 +113,8 @@ std::string grouped(const std::vector<Trial>& trials, const std::vector<Outcome>
 
 ResultTable all_trials(const std::vector<Trial>& trials, const std::vector<Outcome>& outcomes) {
   ResultTable table{{"case", "kind", "family", "noise", "level", "strength", "seed", "verdict",
-                     "equation", "name", "listed", "too many", "size", "gap", "true gap",
-                     "real gap", "seconds", "answer"},
+                     "equation", "name", "listed", "too many", "size", "gap", "floor",
+                     "true gap", "real gap", "seconds", "answer"},
                     {}};
   const auto flag = [](bool value) { return std::string(value ? "1" : "0"); };
   for (std::size_t i = 0; i < trials.size(); ++i) {
@@ -127,8 +127,8 @@ ResultTable all_trials(const std::vector<Trial>& trials, const std::vector<Outco
          format_number(t.level), format_number(t.strength), std::to_string(t.seed),
          flag(s.verdict), flag(s.equation), flag(s.name), flag(s.listed),
          std::to_string(s.spurious), number_or_blank(s.size), format_number(outcomes[i].gap, 4),
-         number_or_blank(outcomes[i].true_gap), number_or_blank(outcomes[i].real_gap),
-         format_number(outcomes[i].seconds, 3), answer});
+         number_or_blank(outcomes[i].floor), number_or_blank(outcomes[i].true_gap),
+         number_or_blank(outcomes[i].real_gap), format_number(outcomes[i].seconds, 3), answer});
   }
   return table;
 }

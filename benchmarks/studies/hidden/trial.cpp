@@ -22,6 +22,7 @@ void gauge_trial(const hidden::HiddenCase& hidden, const Diagnosis& diagnosis,
                  const hidden::Records& records, const hidden::Records& clean,
                  Outcome& outcome) {
   outcome.gap = diagnosis.gap->after;
+  outcome.floor = diagnosis.gap->noise_floor;
   outcome.true_gap = hidden::true_gap(hidden, records.check);
   if (std::none_of(diagnosis.effects.begin(), diagnosis.effects.end(), is_of_measurement))
     outcome.real_gap =

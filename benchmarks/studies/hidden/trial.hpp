@@ -25,6 +25,7 @@ struct Trial {
 struct Outcome {
   hidden::Score score;
   double gap = 0.0;                     ///< after, on the record that was held out
+  std::optional<double> floor = {};     ///< of noise there, where the gap was measured
   std::optional<double> true_gap = {};  ///< of the true model there, where it can be run
   std::optional<double> real_gap = {};  ///< recomputed from clean data, where it can be
   double seconds = 0.0;                 ///< of one processor
@@ -32,7 +33,7 @@ struct Outcome {
 
   auto fields() {
     return std::tie(score.verdict, score.equation, score.name, score.listed, score.spurious,
-                    score.size, score.answer, gap, true_gap, real_gap, seconds, failure);
+                    score.size, score.answer, gap, floor, true_gap, real_gap, seconds, failure);
   }
 };
 

@@ -6,6 +6,7 @@
 
 #include "hidden/support/benches.hpp"
 #include "hidden/support/cases.hpp"
+#include "hidden/support/null_benches.hpp"
 #include "hidden/support/ordinary.hpp"
 #include "hidden/support/twins.hpp"
 
@@ -149,6 +150,41 @@ std::vector<Trial> bench_trials(int draws, const std::string& part,
       const Trial trial{hidden::bench(kind, seed).hidden, 1.0, hidden::kBenchNoise, seed};
       if (trial.hidden.name.find(part) == std::string::npos) continue;
       add_reported(cells, trial, [=] { return run_bench(kind, trial.seed, options); });
+      trials.push_back(trial);
+    }
+  return trials;
+}
+
+namespace {
+
+/// How many of the names of an answer say what a moving average does to its channel.
+int names_of_sensor(const std::string& answer) {
+  int count = 0;
+  for (const char* name : {" sensor-lag ", " channel-skew "})
+    for (auto at = answer.find(name); at != std::string::npos; at = answer.find(name, at + 1))
+      ++count;
+  return count;
+}
+
+Outcome run_null(hidden::BenchFault fault, std::uint64_t seed, const DiagnosisOptions& options) {
+  const hidden::BenchCase made = hidden::null_bench(fault, seed);
+  Outcome outcome = judge(made.hidden, made.records, made.clean, options);
+  if (fault == hidden::BenchFault::MovingAverage)
+    outcome.score.spurious -= names_of_sensor(outcome.score.answer);
+  return outcome;
+}
+
+}  // namespace
+
+std::vector<Trial> null_trials(int draws, const std::string& part,
+                               const DiagnosisOptions& options, Cells<Outcome>& cells) {
+  std::vector<Trial> trials;
+  std::uint64_t seed = 8000;
+  for (const hidden::BenchFault fault : hidden::all_bench_faults())
+    for (int draw = 0; draw < draws; ++draw, ++seed) {
+      const Trial trial{hidden::null_bench(fault, seed).hidden, 1.0, hidden::kBenchNoise, seed};
+      if (trial.hidden.name.find(part) == std::string::npos) continue;
+      add_reported(cells, trial, [=] { return run_null(fault, trial.seed, options); });
       trials.push_back(trial);
     }
   return trials;

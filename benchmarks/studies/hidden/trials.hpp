@@ -34,6 +34,11 @@ std::vector<Trial> smoothed_trials();
 std::vector<Trial> bench_trials(int draws, const std::string& part,
                                 const DiagnosisOptions& options, Cells<Outcome>& cells);
 
+/// Devices that lack nothing on benches with each of hidden::BenchFault, each drawn so often. Names
+/// that say what a moving average does to its channel are not counted as too many.
+std::vector<Trial> null_trials(int draws, const std::string& part,
+                               const DiagnosisOptions& options, Cells<Outcome>& cells);
+
 /// Twins of devices at 0.2, 0.5 and 1 % noise: each kind drawn so often, and as often without
 /// what it hides.
 std::vector<Trial> twin_trials(int draws);

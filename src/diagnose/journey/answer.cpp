@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <utility>
+#include <vector>
 
 #include "coefficient_changes.hpp"
 #include "core/base/text.hpp"
@@ -227,6 +228,70 @@ HoldoutEvaluation evaluate_holdout(const Problem& problem, const CompositeModel&
     case HoldoutVerdict::Confirmed:
       break;
   }
+  return {};
+}
+
+namespace {
+
+/// 1 / variance of each column over the samples that show something; 0 where none do or nothing
+/// moves.
+Eigen::RowVectorXd weights_of(const Matrix& measured) {
+  Eigen::RowVectorXd weights = Eigen::RowVectorXd::Zero(measured.cols());
+  for (Index k = 0; k < measured.cols(); ++k) {
+    const auto known = measured.col(k).array().isFinite();
+    const auto count = static_cast<double>(known.count());
+    if (count < 2.0) continue;
+    const double mean = known.select(measured.col(k).array(), 0.0).sum() / count;
+    const double square = known.select((measured.col(k).array() - mean).square(), 0.0).sum();
+    if (square > 0.0) weights[k] = count / square;
+  }
+  return weights;
+}
+
+}  // namespace
+
+std::optional<double> deviations_of_gain(const Gap& gap) {
+  std::vector<double> gains;
+  for (const GapRecord& run : gap.runs) {
+    const Eigen::RowVectorXd weights = weights_of(run.measured);
+    for (Index at = run.begin; at + run.length <= run.time.size(); at += run.length) {
+      const auto part = [&](const Matrix& values) { return values.middleRows(at, run.length); };
+      const Matrix before = part(run.measured) - part(run.before);
+      const Matrix after = part(run.measured) - part(run.after);
+      const Matrix change = before.cwiseAbs2() - after.cwiseAbs2();
+      const auto known = change.array().isFinite();
+      if (!known.any()) continue;
+      const Matrix counted = known.select(change.array(), 0.0);
+      gains.push_back((counted * weights.asDiagonal()).sum());
+    }
+  }
+  if (gains.size() < 2) return std::nullopt;
+  const Eigen::Map<const Vector> all(gains.data(), static_cast<Index>(gains.size()));
+  const auto count = static_cast<double>(gains.size());
+  const double scatter = (all.array() - all.mean()).square().sum() / (count - 1.0);
+  return all.mean() / std::sqrt(scatter / count);
+}
+
+HoldoutEvaluation evaluate_names(const Problem& problem, const CompositeModel& composite,
+                                 const Gap& gap) {
+  const std::vector<FittedEffect>& effects = composite.explanation.effects;
+  if (composite.named.empty() || std::any_of(effects.begin(), effects.end(), may_differ) ||
+      !std::isfinite(gap.before + gap.after))
+    return {};
+  const DecisionOptions& decision = problem.options.decision;
+  const std::string names = "what " + list_of_names(composite, problem.nominal) +
+                            " does beyond a fit of the coefficients ";
+  if (gap.after > (1.0 + decision.negligible) * gap.before)
+    return {true, false, names + "makes the records that were not used worse: it gets no name"};
+  // On other records of the same length a gain is half as many deviations as on those on which
+  // the coefficient was fitted.
+  const double least = 0.5 * decision.possible;
+  const auto gain = deviations_of_gain(gap);
+  const bool shows = gap.before > (1.0 + decision.minor) * gap.noise_floor;
+  if (!shows && gain && *gain < least)
+    return {true, false,
+            names + "does not show on the records that were not used (their gap falls by " +
+                format_number(*gain, 2) + " of its standard errors): it gets no name"};
   return {};
 }
 

@@ -26,6 +26,19 @@ struct HoldoutEvaluation {
 HoldoutEvaluation evaluate_holdout(const Problem& problem, const CompositeModel& composite,
                                    const std::optional<Gap>& gap, bool continued = false);
 
+/// By how many of its standard errors, from the scatter over windows, the squared gap is smaller
+/// with what was found than before; nothing where fewer than two windows compare both.
+std::optional<double> deviations_of_gain(const Gap& gap);
+
+/// Evaluates names on records that were not used, against the nominal structure whose coefficients
+/// were fitted to the same records as the names: what a fit of coefficients does there is no
+/// reason for a name. Names are withdrawn where the gap is larger with them, and where those
+/// records show no gap without them and none is closed. Effects that need not come again are not
+/// evaluated.
+/// @param gap of that structure (before) and with the names (after).
+HoldoutEvaluation evaluate_names(const Problem& problem, const CompositeModel& composite,
+                                 const Gap& gap);
+
 /// The answer. @param judged the composite model and the trail; @param gap on other records.
 Diagnosis make_answer(const Problem& problem, Judged judged, std::optional<Gap> gap,
                       const HoldoutEvaluation& evaluation);

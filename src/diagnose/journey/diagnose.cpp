@@ -99,11 +99,12 @@ Records prepared(const OdeModel& nominal, const Dataset& data, const Dataset& he
 
 /// The gap on records that chose nothing, which the composite model's assumptions correct like
 /// the others.
-std::optional<Gap> gap_of(const Problem& problem, const CompositeModel& composite,
-                          const BoundRecords& check) {
+/// @param without the model before it.
+std::optional<Gap> gap_of(const Problem& problem, const OdeModel& without,
+                          const CompositeModel& composite, const BoundRecords& check) {
   const auto& correct = composite.base->correct;
   const Dataset corrected = correct ? correct(check.data) : check.data;
-  Gap gap = measure_gap(problem.nominal, composite.explanation,
+  Gap gap = measure_gap(without, composite.explanation,
                         {check, corrected, problem.options.decision.outlying}, problem.context);
   // Without a window in which the model has a solution there is no distance to measure.
   if (std::isfinite(gap.before) && std::isnan(gap.after)) gap.after = INFINITY;
@@ -120,13 +121,23 @@ struct EvaluatedComposite {
   std::vector<std::string> withdrawn = {};  ///< what was, and why
 };
 
-/// Enters whether there was time to measure the gap. @return it, or nothing.
-std::optional<Gap> gap_in_time(const Problem& problem, const CompositeModel& composite,
-                               const BoundRecords& check, std::vector<StageDone>& stages) {
+/// Gaps on records that chose nothing: of the nominal model as it was given, and of its structure
+/// with fitted coefficients where something is named.
+struct Gaps {
+  std::optional<Gap> given, fitted;
+};
+
+/// Enters whether there was time to measure the gaps. @return those there are.
+Gaps gaps_in_time(const Problem& problem, const CompositeModel& composite,
+                  const BoundRecords& check, std::vector<StageDone>& stages) {
   std::erase_if(stages, [](const StageDone& stage) { return stage.name == kGapStage; });
-  std::optional<Gap> gap;
-  run_stage(stages, kGapStage, [&] { gap = gap_of(problem, composite, check); });
-  return gap;
+  Gaps gaps;
+  run_stage(stages, kGapStage, [&] {
+    gaps.given = gap_of(problem, problem.nominal, composite, check);
+    if (gaps.given && !composite.named.empty())
+      gaps.fitted = gap_of(problem, composite.base->fitted.model, composite, check);
+  });
+  return gaps;
 }
 
 /// What is named before all was judged that may stand in its place is no whole explanation.
@@ -145,10 +156,13 @@ EvaluatedComposite evaluated_on(const Records& records, const Problem& problem,
                         problem.memory};
   EvaluatedComposite evaluated{settle_composite(problem, hypotheses, std::move(judged)), {}};
   for (;;) {
-    evaluated.gap =
-        gap_in_time(hurried, evaluated.judged.best, records.check, evaluated.judged.stages);
-    evaluated.evaluation =
-        evaluate_holdout(problem, evaluated.judged.best, evaluated.gap, records.continued);
+    const CompositeModel& best = evaluated.judged.best;
+    Gaps gaps = gaps_in_time(hurried, best, records.check, evaluated.judged.stages);
+    evaluated.gap = std::move(gaps.given);
+    evaluated.evaluation = evaluate_holdout(problem, best, evaluated.gap, records.continued);
+    if (!evaluated.evaluation.withdraw && gaps.fitted)
+      if (HoldoutEvaluation names = evaluate_names(problem, best, *gaps.fitted); names.withdraw)
+        evaluated.evaluation = std::move(names);
     if (evaluated.gap && !std::isfinite(evaluated.gap->after)) evaluated.gap.reset();
     if (!evaluated.evaluation.withdraw) {
       doubt_omissions(evaluated);
@@ -226,6 +240,23 @@ Dataset in_variables_of(const OdeModel& model, const Dataset& records) {
                                  : model_view(model, records, FiniteDifferences{});
 }
 
+/// Model and records in which outputs that are states in other units are these states.
+struct SeenInStates {
+  OdeModel model;
+  Dataset find, check;
+};
+
+SeenInStates in_states(const OdeModel& model, const Dataset& measured, const Dataset& other) {
+  const Dataset data = in_variables_of(model, measured);
+  const std::vector<StateImage> images = images_of_states(model, data);
+  OdeModel seen = without_images(model, images);
+  Dataset check = other;
+  if (!other.trajectories.empty())
+    check = with_states_of(images, seen, in_variables_of(model, other));
+  Dataset find = with_states_of(images, seen, data);
+  return {std::move(seen), std::move(find), std::move(check)};
+}
+
 /// A context whose search ends early enough for what has to come behind it.
 RunContext with_time_for_an_answer(const RunContext& context) {
   // A fact of cost: errors, gap and places of disagreement take the rest.
@@ -260,9 +291,8 @@ std::vector<Stage<Hypothesis>> hypotheses_of(const DiagnosisOptions& options,
 Diagnosis diagnose(const OdeModel& model, const Dataset& measured, const Dataset& other,
                    const DiagnosisOptions& options, const RunContext& context) {
   check_flow(model, "diagnose");
-  const Dataset data = in_variables_of(model, measured);
-  const Dataset held_out = other.trajectories.empty() ? other : in_variables_of(model, other);
-  const OdeModel nominal = with_output_channels(model, data);
+  const auto [seen, data, held_out] = in_states(model, measured, other);
+  const OdeModel nominal = with_output_channels(seen, data);
   check_is_view(nominal, data);
   if (!held_out.trajectories.empty()) check_is_view(nominal, held_out);
   check_number_range(data);
@@ -281,7 +311,7 @@ Diagnosis diagnose(const OdeModel& model, const Dataset& measured, const Dataset
   given.memory->input_noise = noise_of_inputs(records.find.data);
   if (!hypotheses.empty() && has_unmeasured_states(nominal, records.find.data))
     given.memory->start =
-        fitted_start(model, known, as_measured.data, noise_of(as_measured), context);
+        fitted_start(seen, known, as_measured.data, noise_of(as_measured), context);
   JudgedModel inputs = judge_holds(given, hypotheses);
   const RunContext unhurried = context.unhurried();
   const Problem problem{*inputs.model, records.find, options, unhurried, given.memory};

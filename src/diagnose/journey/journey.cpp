@@ -9,6 +9,7 @@
 #include "diagnose/criterion/effect_parts.hpp"
 #include "diagnose/hypotheses/input_noise.hpp"
 #include "lacuna/core/statistics/interval.hpp"
+#include "reservations.hpp"
 
 namespace lacuna {
 namespace {
@@ -95,8 +96,9 @@ void judge(const Problem& problem, const Hypotheses& hypotheses, Phase phase, Pr
   append(so_far.trail, std::move(inner));
 }
 
-/// Why an effect cannot carry a name, whatever it explains: the interval of its size holds 0, or
-/// it acts in so few samples that it is what happened once.
+/// Why an effect cannot carry a name, whatever it explains: the interval of its size holds 0, its
+/// time is shorter or longer than what the records show, or it acts in so few samples that it is
+/// what happened once.
 std::optional<Rival> unfounded(const Problem& problem, const CompositeModel& composite,
                                std::size_t e) {
   const DecisionOptions& decision = problem.options.decision;
@@ -108,6 +110,12 @@ std::optional<Rival> unfounded(const Problem& problem, const CompositeModel& com
     rival.quantity = "coefficient over its error";
     rival.value = std::abs(effect.coefficient) / effect.deviation;
     rival.threshold = kNormalQuantile975;
+    return rival;
+  }
+  if (const auto time = time_on_bound(effect)) {
+    rival.quantity = "time of the effect, at the end of its range";
+    rival.value = *time;
+    rival.threshold = *time;
     return rival;
   }
   if (effect.candidate.place != Place::Rate) return std::nullopt;

@@ -24,6 +24,18 @@ bool is_on_bound(const ShapeParameter& shape, double value) {
   return is_at(shape.low) || is_at(shape.high);
 }
 
+/// Whether a shape parameter alone decides how fast a memory state fades.
+bool decides_fading(const ShapeParameter& shape, const MemoryState& memory) {
+  const auto names = differentiate(memory.rate, memory.name).variables();
+  return names.size() == 1 && names.contains(shape.name);
+}
+
+bool is_time(const Candidate& candidate, const ShapeParameter& shape) {
+  return contains(candidate.form, Operation::Delay) ||
+         std::any_of(candidate.memory.begin(), candidate.memory.end(),
+                     [&](const MemoryState& memory) { return decides_fading(shape, memory); });
+}
+
 std::string where(const Problem& problem, Index equation) {
   return "d" + problem.nominal.states()[static_cast<std::size_t>(equation)].name + "/dt";
 }
@@ -133,6 +145,16 @@ bool stays_open(const Gap& gap, const DecisionOptions& decision) {
   // against the noise.
   return gap.above_floor >= decision.significance ||
          gap.after > decision.open_gap * gap.noise_floor;
+}
+
+std::optional<double> time_on_bound(const FittedEffect& effect) {
+  const Candidate& candidate = effect.candidate;
+  for (std::size_t s = 0; s < candidate.shapes.size(); ++s) {
+    const double value = effect.shapes[static_cast<Index>(s)];
+    if (is_time(candidate, candidate.shapes[s]) && is_on_bound(candidate.shapes[s], value))
+      return value;
+  }
+  return std::nullopt;
 }
 
 bool runs_away(const Gap& gap, const DecisionOptions& decision) {

@@ -145,13 +145,25 @@ void set_probabilities(Ranking& ranking, double none_criterion) {
   }
 }
 
+/// Whether a form is the state of its own equation as it was before. A store beside that state does
+/// the same and holds one number, where a delay remembers a whole stretch of the past.
+bool remembers_own_past(const Candidate& candidate, const EffectSearch& search) {
+  if (candidate.place != Place::Rate || !contains(candidate.form, Operation::Delay)) return false;
+  const auto& states = search.base.scope.model.states();
+  return candidate.argument.to_string() ==
+         states[static_cast<std::size_t>(candidate.equation)].name;
+}
+
 /// What makes an effect less plain: terms that nearly cancel, then shapes and memory.
 std::pair<bool, Index> intricacy_of(const RankedEffect& ranked, const EffectSearch& search) {
+  // A fact: more than the numbers of a store between the state and another variable.
+  constexpr Index kOfAStretch = 4;
   const Candidate& candidate = ranked.effect().candidate;
+  const Index past = remembers_own_past(candidate, search) ? kOfAStretch : 0;
   const AddedParts parts =
       added_parts(ranked.explanation, search.problem.nominal, candidate.equation);
   return {largest_cancellation(parts).left < search.problem.options.decision.cancelling,
-          candidate.intricacy()};
+          candidate.intricacy() + past};
 }
 
 /// Whether the records do not distinguish an explanation from the best one: by

@@ -95,6 +95,47 @@ TEST_F(Answer, ThresholdsDecideWhatOtherRecordsSay) {
   EXPECT_TRUE(evaluated(friction, gap(10.0, std::sqrt(40.0))).lower);
 }
 
+/// Four windows of ten samples in which two models are off by so much.
+Gap in_windows(double before, const std::vector<double>& after) {
+  const auto samples = static_cast<Index>(10 * after.size());
+  GapRecord run;
+  run.time = Vector::LinSpaced(samples, 0.0, static_cast<double>(samples - 1));
+  run.measured = run.time.array().sin().matrix();
+  run.before = (run.measured.array() + before).matrix();
+  run.after = run.measured;
+  for (std::size_t w = 0; w < after.size(); ++w)
+    run.after.middleRows(static_cast<Index>(10 * w), 10).array() += after[w];
+  run.length = 10;
+  Gap made = gap(1.05, 1.0);
+  made.runs = {run};
+  return made;
+}
+
+TEST_F(Answer, AGainOnOtherRecordsIsComparedWithItsScatter) {
+  // Gains of 30 and 40 twice: 35 over the root of (100 / 3) / 4.
+  const auto gain = deviations_of_gain(in_windows(2.0, {1.0, 0.0, 1.0, 0.0}));
+  ASSERT_TRUE(gain.has_value());
+  EXPECT_NEAR(*gain, 35.0 / std::sqrt(100.0 / 12.0), 1e-9);
+  EXPECT_FALSE(deviations_of_gain(in_windows(2.0, {1.0})).has_value()) << "one has no scatter";
+}
+
+TEST_F(Answer, NamesHaveToShowBeyondAFitOfCoefficients) {
+  const Problem problem = asked_.problem();
+  const CompositeModel friction = composite("sign(v)");
+  const auto withdrawn = [&](const CompositeModel& judged, const Gap& other) {
+    return evaluate_names(problem, judged, other).withdraw;
+  };
+  EXPECT_FALSE(withdrawn(friction, in_windows(2.0, {1.0, 0.0, 1.0, 0.0})));
+  const Gap unseen = in_windows(1.0, {0.9, 1.1, 0.8, 1.2});
+  EXPECT_TRUE(withdrawn(friction, unseen)) << "its gains are as often losses";
+  Gap shown = unseen;
+  shown.before = 1.5;
+  EXPECT_FALSE(withdrawn(friction, shown)) << "the gap that is there is closed";
+  EXPECT_TRUE(withdrawn(friction, gap(2.0, 2.2))) << "worse than coefficients alone";
+  EXPECT_FALSE(withdrawn(composite("sin(t)"), unseen)) << "need not come again";
+  EXPECT_FALSE(withdrawn(nameless(0.0), unseen));
+}
+
 TEST_F(Answer, SamplesThatRepeatNeedMoreThanALittle) {
   CompositeModel friction = composite("sign(v)");
   Baseline base = *friction.base;

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "lacuna/diagnose/journey/diagnose.hpp"
 #include "support/assimilated_oscillator.hpp"
 #include "support/own_effects.hpp"
@@ -81,18 +83,21 @@ TEST(Gap, AChannelThatNeverMovesIsLeftOut) {
   EXPECT_TRUE(std::isfinite(gap.before) && std::isfinite(gap.noise_floor)) << gap.before;
 }
 
-/// The record with one channel, 100 times the position, in place of the states.
+/// A sensor that is no straight line: what it shows of a position.
+double shown(double position) { return 100.0 * position + 20.0 * std::pow(position, 3); }
+
+/// The record with one channel, what a sensor shows of the position, in place of the states.
 Dataset encoder_record(std::uint64_t seed, double start) {
   Dataset data = support::hidden_record(support::dry_friction, 0.01, seed, start);
   data.states = {{"enc", ""}};
-  data.trajectories[0].states = Matrix(100.0 * data.trajectories[0].states.col(0));
+  data.trajectories[0].states = Matrix(data.trajectories[0].states.col(0).unaryExpr(&shown));
   return data;
 }
 
 TEST(Gap, CurvesOfChannelsAreThoseOfTheStatesInTheirFormulas) {
   const std::string position = support::oscillator().states()[0].name;
   const OdeModel nominal = support::oscillator().with_outputs(
-      {{"enc", "", parse_expression("100*" + position)}});
+      {{"enc", "", parse_expression("100*" + position + "+20*" + position + "^3")}});
   DiagnosisOptions options;
   options.effects = support::own_effects();
   const Diagnosis found = diagnose(nominal, encoder_record(3, 1.0), encoder_record(4, -0.7),
@@ -105,7 +110,7 @@ TEST(Gap, CurvesOfChannelsAreThoseOfTheStatesInTheirFormulas) {
   for (const Matrix* curve : {&run.before, &run.after})
     for (Index i = 0; i < curve->rows(); ++i) {
       if (!std::isfinite((*curve)(i, 0))) continue;
-      EXPECT_NEAR((*curve)(i, 2), 100.0 * (*curve)(i, 0), 1e-6) << i;
+      EXPECT_NEAR((*curve)(i, 2), shown((*curve)(i, 0)), 1e-6) << i;
       ++compared;
     }
   EXPECT_GT(compared, 100);
