@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from typing import Any
 
 import numpy as np
 
@@ -27,9 +28,10 @@ class Tasks(dict[str, Task]):
         return enter
 
 
-def sindy(**options: object) -> ODERegressor:
+def sindy(**options: Any) -> ODERegressor:
     """Thresholded least squares on monomials up to degree 2."""
-    return ODERegressor(**{"preset": "sindy", "degree": 2, "threads": 1, **options})
+    usual: dict[str, Any] = {"preset": "sindy", "degree": 2, "threads": 1}
+    return ODERegressor(**{**usual, **options})
 
 
 def line() -> tuple[Array, Array]:

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable
+from typing import Any
 
 import numpy as np
 import pytest
@@ -198,7 +199,8 @@ def test_equations_are_printed_only_when_asked(printed: Callable[[], str]) -> No
         assert printed() == ""
         model.print(precision=2)
         assert len(printed()) > 0
-    for x in (logistic(), [logistic(), logistic(3.5)]):
+    maps: list[Any] = [logistic(), [logistic(), logistic(3.5)]]
+    for x in maps:
         sindy(discrete_time=True).fit(x).print()
         assert len(printed()) > 1
 
@@ -279,14 +281,15 @@ def _() -> None:
 
 @task("test_optimizers: test_bad_parameters")
 def _() -> None:
-    for bad in (
+    refused: list[Callable[[], Any]] = [
         lambda: lacuna.Stlsq(threshold=-1),
         lambda: lacuna.Stlsq(alpha=-1),
         lambda: lacuna.Stlsq(max_iterations=0),
         lambda: lacuna.Sr3(threshold=-1),
         lambda: lacuna.Sr3(max_iterations=0),
         lambda: lacuna.Sr3(nonsense=1),
-    ):
+    ]
+    for bad in refused:
         with pytest.raises(ValueError):
             bad()
 
@@ -304,12 +307,13 @@ def _() -> None:
 
 @task("test_feature_library: test_bad_parameters")
 def _() -> None:
-    for bad in (
+    refused: list[Callable[[], Any]] = [
         lambda: lacuna.Monomials(max_degree=-1),
         lambda: lacuna.Monomials(max_degree=1.5),
         lambda: lacuna.Fourier(harmonics=-1),
         lambda: lacuna.Fourier(harmonics=2.2),
-    ):
+    ]
+    for bad in refused:
         with pytest.raises(ValueError):
             bad()
 
