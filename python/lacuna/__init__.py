@@ -15,6 +15,7 @@ import atexit as _atexit
 
 from . import _lacuna
 from .build import build_info
+from .designing import bench, plan
 from .errors import (
     ArgumentError,
     ConfigError,
@@ -30,7 +31,19 @@ from .model import Model
 from .own import Basis, Effect, Form, Regressor, Scope
 from .proving import check, compare, describe, export, list_parts, simulate, sync
 from .records import Records
-from .results import Check, Comparison, Diagnosis, Fit, Identification, Result, Simulation, Sync
+from .results import (
+    Bench,
+    Check,
+    Comparison,
+    Diagnosis,
+    Fit,
+    Identification,
+    Plan,
+    Result,
+    Rivals,
+    Simulation,
+    Sync,
+)
 from .stages import Pipeline, Stage
 
 __version__: str = _lacuna.version
@@ -38,6 +51,7 @@ __version__: str = _lacuna.version
 __all__ = [
     "ArgumentError",
     "Basis",
+    "Bench",
     "Check",
     "Comparison",
     "ConfigError",
@@ -54,13 +68,16 @@ __all__ = [
     "ModelError",
     "NoAnswerError",
     "Pipeline",
+    "Plan",
     "Records",
     "Regressor",
     "Result",
+    "Rivals",
     "Scope",
     "Simulation",
     "Stage",
     "Sync",
+    "bench",
     "build_info",
     "check",
     "compare",
@@ -70,6 +87,7 @@ __all__ = [
     "fit",
     "identify",
     "list_parts",
+    "plan",
     "simulate",
     "sync",
 ]

@@ -16,6 +16,7 @@ from .stages import Pipeline, Stage
 Texts = str | Sequence[str] | None
 Progress = bool | Callable[[str, float], None]
 ModelLike = Model | str | os.PathLike[str]
+Rivalling = Sequence[ModelLike] | Mapping[str, ModelLike]
 
 
 def called(
@@ -45,6 +46,21 @@ def model_arguments(model: ModelLike) -> dict[str, Any]:
     if isinstance(model, Model):
         return {"model": model._system, "model_path": "model"}
     return {"model_path": os.fspath(model)}
+
+
+def named_models(models: Rivalling) -> list[tuple[str, ModelLike]]:
+    """Several models with names: those of a dict, paths, or model 1, model 2, ..."""
+    if isinstance(models, Mapping):
+        return [(name, as_model(model)) for name, model in models.items()]
+    return [
+        (f"model {number}" if isinstance(model, Model) else os.fspath(model), model)
+        for number, model in enumerate(models, 1)
+    ]
+
+
+def model_pairs(models: list[tuple[str, ModelLike]]) -> list[tuple[str, Any]]:
+    """Several models as the extension takes them: name and value, or path and nothing."""
+    return [(name, one._system if isinstance(one, Model) else None) for name, one in models]
 
 
 def bound(model: Any, data: Any, t: Any, u: Any, columns: Mapping[str, Any]) -> dict[str, Any]:

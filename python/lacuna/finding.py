@@ -5,12 +5,13 @@ from __future__ import annotations
 import os
 import warnings
 from collections.abc import Mapping, Sequence
-from typing import Any
+from typing import Any, overload
 
 from . import _lacuna
 from .arguments import (
     ModelLike,
     Progress,
+    Rivalling,
     Texts,
     assignments,
     bound,
@@ -20,12 +21,15 @@ from .arguments import (
     held_out_of,
     listed,
     model_arguments,
+    model_pairs,
+    named_models,
     several,
 )
-from .errors import LacunaWarning
+from .errors import ArgumentError, LacunaWarning
+from .model import Model
 from .own import Effect
 from .records import held_out, records_of
-from .results import Diagnosis, Fit, Identification
+from .results import Diagnosis, Fit, Identification, Rivals
 from .stages import Pipeline
 
 
@@ -49,6 +53,8 @@ def identify(
     integrator: str = "rk4",
     options: Mapping[str, Any] | None = None,
     memory: int = 0,
+    effort: str | None = None,
+    time_limit: float | None = None,
     seed: int = 1,
     threads: int | None = None,
     progress: Progress = False,
@@ -90,6 +96,12 @@ def identify(
         Single values by their path: ``{"regressor.threshold": 0.05}``.
     memory : int, optional
         Bytes above which files are read in pieces; 0: never.
+    effort : str, optional
+        quick: only what an answer needs; normal (default): all stages, as far as something can be
+        gained; full: all to their end.
+    time_limit : float, optional
+        Seconds after which the run ends with the answer that it has by then; ``.stages`` names
+        what was left out.
     seed, threads : int, optional
         Start of everything random; threads (all cores unless given). Results do not depend on
         threads.
@@ -125,6 +137,8 @@ def identify(
         "discrete": discrete,
         "integrator": integrator,
         "memory": memory,
+        "effort": effort,
+        "time_limit": time_limit,
         "set": assignments(options),
         **configuration(config, pipeline),
     }
@@ -149,6 +163,8 @@ def diagnose(
     differentiator: str = "finite-differences",
     config: str | os.PathLike[str] | None = None,
     options: Mapping[str, Any] | None = None,
+    effort: str | None = None,
+    time_limit: float | None = None,
     seed: int = 1,
     threads: int | None = None,
     progress: Progress = False,
@@ -177,7 +193,7 @@ def diagnose(
         Fit a black-box function to what the effects leave.
     differentiator : str, optional
         How states without a column are made.
-    config, options, seed, threads, progress
+    config, options, effort, time_limit, seed, threads, progress
         As of `identify`; ``options={"decision.significance": 4}``.
 
     Returns
@@ -206,60 +222,97 @@ def diagnose(
         "differentiator": differentiator,
         "config": None if config is None else os.fspath(config),
         "set": assignments(options),
+        "effort": effort,
+        "time_limit": time_limit,
     }
     return Diagnosis(
         called(_lacuna.diagnose, arguments, seed, threads, progress), "lacuna.diagnose"
     )
 
 
+@overload
+def fit(model: ModelLike, data: Any, t: Any = None, u: Any = None, **arguments: Any) -> Fit: ...
+
+
+@overload
+def fit(model: Rivalling, data: Any, t: Any = None, u: Any = None, **arguments: Any) -> Rivals: ...
+
+
 def fit(
-    model: ModelLike,
+    model: ModelLike | Rivalling,
     data: Any,
     t: Any = None,
     u: Any = None,
     *,
     holdout: Any = None,
     start_samples: int = 50,
+    start_time: float | None = None,
     ahead: int = 10,
     restarts: int = 8,
+    profile: bool = False,
+    effort: str | None = None,
+    time_limit: float | None = None,
     seed: int = 1,
     threads: int | None = None,
     progress: Progress = False,
     **columns: Any,
-) -> Fit:
+) -> Fit | Rivals:
     """Estimate the numbers of a model of known structure, hidden states too.
 
     Parameters
     ----------
-    model : Model or path
-        The structure with numbers to start from.
+    model : Model or path, or a list or a dict of them
+        The structure with numbers to start from. Several are fitted to the same records and
+        compared; a dict has their names.
     data, t, u, holdout, **columns
         As of `diagnose`.
     start_samples : int, optional
         First samples of a held-out record, which give its initial state.
+    start_time : float, optional
+        Time at which records begin and initial values hold, before the first sample.
     ahead : int, optional
         Samples ahead of the error of prediction.
     restarts : int, optional
         Other starts, at most, where residuals stay above the noise.
-    seed, threads, progress
+    profile : bool, optional
+        Profiles of the likelihood of every number, however long it takes.
+    effort, time_limit, seed, threads, progress
         As of `identify`.
 
     Returns
     -------
     Fit
         ``.model`` with estimates, ``.parameters`` with intervals, ``.fit`` by channel, ...
+    Rivals
+        Of several models: ``.rivals``, the best first; ``.model`` is the best.
 
     Raises
     ------
     DataError, ConfigError, ModelError, ArgumentError, FileError
         With ``.where``, ``.problem`` and ``.remedy``.
     """
+    rivals: list[tuple[str, ModelLike]] = []
+    if isinstance(model, Model | str | os.PathLike):
+        first: ModelLike = model
+    else:
+        rivals = named_models(model)
+        if not rivals:
+            raise ArgumentError("model", "there is no model", "give at least one")
+        first = rivals[0][1]
     arguments = {
-        **model_arguments(model),
-        **bound(model, data, t, u, columns),
-        **held_out_of(model, holdout, columns),
+        **bound(first, data, t, u, columns),
+        **held_out_of(first, holdout, columns),
         "start_samples": start_samples,
+        "start_time": start_time,
         "ahead": ahead,
         "restarts": restarts,
+        "profile": profile,
+        "effort": effort,
+        "time_limit": time_limit,
     }
+    if rivals:
+        arguments["models"] = model_pairs(rivals)
+        answer = called(_lacuna.fit_rivals, arguments, seed, threads, progress)
+        return Rivals(answer, "lacuna.fit")
+    arguments.update(model_arguments(first))
     return Fit(called(_lacuna.fit, arguments, seed, threads, progress), "lacuna.fit")

@@ -71,16 +71,16 @@ def sync(
 
 def simulate(
     model: ModelLike,
-    x0: Any,
+    x0: Any = None,
     t: Any = None,
     *,
-    t_start: float = 0.0,
+    t_start: float | None = None,
     t_end: float = 0.0,
     dt: float | None = None,
     inputs: Any = None,
     noise: Mapping[str, float] | None = None,
     hold: Mapping[str, str] | None = None,
-    integrator: str = "dopri5",
+    integrator: str = "auto",
     seed: int = 1,
     progress: Progress = False,
 ) -> Simulation:
@@ -90,12 +90,13 @@ def simulate(
     ----------
     model : Model or path
         The model.
-    x0 : array of shape (m,)
-        Start, in the order of the model.
+    x0 : array of shape (m,), optional
+        Start, in the order of the model; what the model has as ``initial`` unless given.
     t : array of shape (n,), optional
         Times of the output, in the model's unit; in place of ``t_start``, ``t_end``, ``dt``.
     t_start, t_end, dt : float, optional
-        First and last time and step of the output.
+        First and last time and step of the output; the first is that of the model's initial
+        values, or 0, unless given.
     inputs : Records, path or frame, optional
         A record with a column for each input of the model.
     noise : dict, optional
@@ -122,8 +123,8 @@ def simulate(
     arguments = {
         **model_arguments(model),
         **({} if inputs is None else input_arguments(inputs)),
-        "x0": ",".join(repr(float(value)) for value in x0),
-        "t_start": float(t_start),
+        "x0": "" if x0 is None else ",".join(repr(float(value)) for value in x0),
+        "t_start": None if t_start is None else float(t_start),
         "t_end": float(t_end),
         "dt": dt,
         "times": None if t is None else [float(time) for time in t],
@@ -145,7 +146,7 @@ def compare(
     t: Any = None,
     u: Any = None,
     *,
-    integrator: str = "dopri5",
+    integrator: str = "auto",
     differentiator: str = "finite-differences",
     progress: Progress = False,
     **columns: Any,

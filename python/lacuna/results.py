@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
+import csv
 import html
+import io
 import json
 import os
 from collections.abc import Callable, Iterator
 from typing import TYPE_CHECKING, Any
 
 from . import _lacuna
+from .errors import ConfigError, Error
 from .model import Model
 
 if TYPE_CHECKING:
@@ -195,6 +198,51 @@ class Fit(_Modelled):
     """What `fit` found: ``.parameters`` with their intervals, ``.fit`` by channel."""
 
 
+class Rivals(_Modelled):
+    """Several models fitted to the same records: ``.rivals``, the best first."""
+
+
+class Plan(Result):
+    """The next experiment: ``.input``, ``.promise``, ``.safe``, ``.cost``."""
+
+    def inputs(self, format: str = "csv") -> str:
+        """The inputs as text for a bench: csv, c, or awg (waveform generators).
+
+        Raises
+        ------
+        ConfigError
+            No such format.
+        ArgumentError
+            A waveform of more than one input, of several runs or of uneven times.
+        """
+        return str(self._answer.inputs(format))
+
+
+class Bench(Result):
+    """Parts of `identify` compared: ``.rows``, one for each composition and noise."""
+
+    def to_json(self) -> str:
+        """Refuse: the command writes no JSON of it either."""
+        raise TypeError("Bench has no JSON; it has rows and to_csv()")
+
+    def to_csv(self) -> str:
+        """A line for each cell, as the command writes it with ``--csv``, to the byte."""
+        return str(self._answer.csv())
+
+    def to_dict(self) -> dict[str, Any]:
+        """The same as a list of rows."""
+        lines = csv.DictReader(io.StringIO(self.to_csv()))
+        return {"rows": [{name: _cell(text) for name, text in line.items()} for line in lines]}
+
+
+def _cell(text: str) -> float | str | None:
+    """A cell of a table: a number, a text, or nothing."""
+    try:
+        return float(text)
+    except ValueError:
+        return text or None
+
+
 class Sync(Result):
     """How far a model that is driven by a record stays from it."""
 
@@ -275,11 +323,21 @@ class Simulation:
         return f"<lacuna.Simulation of {', '.join(self.names)}: {len(self)} samples>"
 
 
+def _written(answer: _lacuna.Answer, format: str) -> str | Error:
+    """The inputs of a plan, or why they are not written so."""
+    try:
+        return answer.inputs(format)
+    except Error as error:
+        return error
+
+
 class Shown:
     """An answer apart from the library: all that it is shown as, for another process."""
 
     def __init__(self, answer: _lacuna.Answer) -> None:
         self._json = answer.json()
+        self._csv = answer.csv()
+        self._inputs = {format: _written(answer, format) for format in ("csv", "c", "awg")}
         self._texts = {
             (full, explain): answer.text(full, explain)
             for full in (False, True)
@@ -301,6 +359,19 @@ class Shown:
     def json(self) -> str:
         """As `Answer.json`."""
         return self._json
+
+    def csv(self) -> str:
+        """As `Answer.csv`."""
+        return self._csv
+
+    def inputs(self, format: str) -> str:
+        """As `Answer.inputs`."""
+        if format not in self._inputs:
+            raise ConfigError("format", f"'{format}' is not known", "give one of csv, c, awg")
+        written = self._inputs[format]
+        if isinstance(written, Error):
+            raise written
+        return written
 
     def text(self, full: bool, explain: bool) -> str:
         """As `Answer.text`."""

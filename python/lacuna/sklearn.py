@@ -13,7 +13,7 @@ from sklearn.metrics import r2_score
 from sklearn.utils.validation import check_is_fitted, validate_data
 
 from . import _lacuna
-from .errors import LacunaWarning
+from .errors import ArgumentError, LacunaWarning
 from .finding import identify
 from .model import Model
 from .proving import simulate
@@ -119,7 +119,7 @@ class ODERegressor(RegressorMixin, BaseEstimator):  # type: ignore[misc]
                 LacunaWarning,
                 stacklevel=2,
             )
-        several = isinstance(X, list) and all(hasattr(one, "__array__") for one in X)
+        several = _several(X)
         parts = [
             self._checked(one, number == 0) for number, one in enumerate(X if several else [X])
         ]
@@ -148,34 +148,64 @@ class ODERegressor(RegressorMixin, BaseEstimator):  # type: ignore[misc]
         self.model_: Model = self.result_.model
         return self
 
-    def predict(self, X: ArrayLike, u: ArrayLike | None = None, t: ArrayLike = 0.0) -> Array:
-        """Rates at states (of a map: the next samples), of the shape of X."""
+    def predict(self, X: Any, u: Any = None, t: Any = 0.0) -> Any:
+        """Rates at states (of a map: the next samples), of the shape of X; a list of a list."""
         check_is_fitted(self)
+        if _several(X):
+            return [self.predict(*record) for record in _records(X, u, t)]
         return self.model_(t, self._checked(X, False), u)
 
     def simulate(
         self,
         x0: ArrayLike,
-        t: ArrayLike,
-        u: Array | None = None,
-        integrator: str = "dopri5",
+        t: Any,
+        u: Any = None,
+        integrator: str = "auto",
     ) -> Array:
-        """States of shape (n, m) from a start at times; inputs are samples at these times.
+        """States of shape (n, m) from a start.
+
+        Parameters
+        ----------
+        x0 : array of shape (m,)
+            Start.
+        t : array of shape (n,) or int
+            Times; of a map their number.
+        u : array of shape (n, p) or function of time, optional
+            Inputs: samples at these times.
+        integrator : str, optional
+            Method, see ``lacuna.list_parts("integrator")``.
 
         Raises
         ------
+        ArgumentError
+            A number in the place of the times of a flow.
         NoAnswerError
             The model has no finite solution as long as that.
         """
         check_is_fitted(self)
+        if np.ndim(t) == 0 and not self.discrete_time:
+            raise ArgumentError("t", "a flow has no number of steps", "give the times")
+        times = np.arange(int(t)) if np.ndim(t) == 0 else np.asarray(t)
         inputs = None
         if u is not None:
-            names = list(self.model_.inputs)
-            inputs = Records({"t": t, **dict(zip(names, np.atleast_2d(u.T), strict=True))}, "t")
-        return simulate(self.model_, x0, t, inputs=inputs, integrator=integrator).x
+            given = np.array([np.atleast_1d(u(time)) for time in times]) if callable(u) else u
+            columns = np.asarray(given).reshape(len(times), -1).T
+            named = dict(zip(self.model_.inputs, columns, strict=True))
+            inputs = Records({"t": times, **named}, "t")
+        return simulate(self.model_, x0, times, inputs=inputs, integrator=integrator).x
 
-    def differentiate(self, X: ArrayLike, t: Any = None) -> Array:
-        """Rates of the samples by the estimator's method, of the shape of X."""
+    def differentiate(self, X: Any, t: Any = None) -> Any:
+        """Rates of the samples by the estimator's method, of the shape of X; a list of a list.
+
+        Raises
+        ------
+        RuntimeError
+            The samples of a map have no rates.
+        """
+        if self.discrete_time:
+            raise RuntimeError("the samples of a map have no rates")
+        if _several(X):
+            return [self.differentiate(*record) for record in _records(X, t)]
         states = self._checked(X, False)
         step = self.t_default if t is None else t
         times = np.arange(len(states)) * float(step) if np.ndim(step) == 0 else np.asarray(step)
@@ -193,17 +223,29 @@ class ODERegressor(RegressorMixin, BaseEstimator):  # type: ignore[misc]
         *,
         t: Any = None,
         u: Any = None,
-        x_dot: ArrayLike | None = None,
+        x_dot: Any = None,
         metric: Callable[..., float] = r2_score,
     ) -> float:
         """Hold predicted rates against those of the samples (of a map: the next samples)."""
         check_is_fitted(self)
+        parts = _records(X, t, u, x_dot) if _several(X) else [(X, t, u, x_dot)]
+        pairs = [self._rates(*part) for part in parts]
+        return float(metric(*map(np.concatenate, zip(*pairs, strict=True))))
+
+    def _rates(self, X: Any, t: Any, u: Any, x_dot: Any) -> tuple[Array, Array]:
+        """Rates of the samples, and those of the model there."""
         states = self._checked(X, False)
-        if self.discrete_time:
+        if self.discrete_time and x_dot is None:
             inputs = None if u is None else np.asarray(u)[:-1]
-            return float(metric(states[1:], self.predict(states[:-1], inputs)))
+            return states[1:], self.predict(states[:-1], inputs)
         target = self.differentiate(states, t) if x_dot is None else np.asarray(x_dot)
-        return float(metric(target.reshape(states.shape), self.predict(states, u)))
+        return target.reshape(states.shape), self.predict(states, u)
+
+    @property
+    def complexity(self) -> int:
+        """Number of terms of all equations."""
+        check_is_fitted(self)
+        return sum(len(sums) for sums in self.model_.terms.values())
 
     def get_feature_names(self) -> list[str]:
         """Terms that stand in some equation, in order."""
@@ -245,6 +287,23 @@ class ODERegressor(RegressorMixin, BaseEstimator):  # type: ignore[misc]
         tags.target_tags.required = False
         tags.regressor_tags.poor_score = True
         return tags
+
+
+def _several(X: Any) -> bool:
+    """Whether a list holds records, not rows."""
+    return isinstance(X, list) and all(hasattr(one, "__array__") for one in X)
+
+
+def _records(*lists: Any) -> list[tuple[Any, ...]]:
+    """What belongs to each record: elements of lists, or what all have."""
+    count = len(lists[0])
+    for given in lists:
+        if isinstance(given, list) and len(given) != count:
+            raise ArgumentError("X", f"there are {count} records", "give a list with one for each")
+    return [
+        tuple(given[k] if isinstance(given, list) else given for given in lists)
+        for k in range(count)
+    ]
 
 
 def _increases(y: Any) -> bool:

@@ -1,96 +1,21 @@
 // SPDX-License-Identifier: MIT
-#include "cli/commands/answers.hpp"
-
-#include <nanobind/nanobind.h>
-#include <nanobind/stl/optional.h>
-#include <nanobind/stl/pair.h>
-#include <nanobind/stl/string.h>
-#include <nanobind/stl/vector.h>
-
-#include <functional>
+#include <algorithm>
 #include <memory>
 
+#include "answer.hpp"
 #include "arrays.hpp"
 #include "bindings.hpp"
-#include "call.hpp"
 #include "core/base/utf8.hpp"
 #include "figures.hpp"
 #include "lacuna/data/formats/write.hpp"
 #include "lacuna/report/pages/diagnosis_report.hpp"
 #include "lacuna/report/pages/fit_report.hpp"
+#include "lacuna/report/pages/rivals_report.hpp"
 #include "own_stages.hpp"
 #include "report/pages/folded_text.hpp"
-#include "report/pages/pages.hpp"
 
 namespace lacuna::python {
 namespace {
-
-/// An answer in all the ways in which it is shown. What an answer cannot be shown as is empty.
-struct Answer {
-  std::function<std::string()> json;
-  std::function<std::string(const TextOptions& options)> text;
-  std::function<Page()> page = {};
-  std::function<std::string()> trail = {};
-  std::optional<SystemModel> model = {};
-  std::vector<std::string> warnings = {};
-  std::string failure = {};  ///< why the numbers do not allow an answer; empty: they do
-};
-
-/// Keyword arguments by their names; each is there or has its default.
-class Given {
- public:
-  explicit Given(nb::dict values) : values_(std::move(values)) {}
-
-  template <class Value>
-  void take(const char* name, Value& value) const {
-    if (values_.contains(name)) value = nb::cast<Value>(values_[name]);
-  }
-
-  /// One by one, as a caster of a vector must not run out of memory.
-  void take(const char* name, std::vector<Table>& tables) const {
-    if (!values_.contains(name)) return;
-    for (const nb::handle table : nb::cast<nb::list>(values_[name]))
-      tables.push_back(nb::cast<const Table&>(table));
-  }
-
-  bool has(const char* name) const { return values_.contains(name); }
-
- private:
-  nb::dict values_;
-};
-
-CallOptions call_options(const Given& given) {
-  CallOptions options;
-  given.take("seed", options.seed);
-  given.take("threads", options.threads);
-  given.take("progress", options.progress);
-  return options;
-}
-
-void take_data(const Given& given, cli::DataOptions& data) {
-  given.take("paths", data.paths);
-  given.take("tables", data.tables);
-  given.take("time", data.time);
-  given.take("time_unit", data.time_unit);
-  given.take("trajectory", data.trajectory);
-  given.take("step", data.step);
-  given.take("states", data.states);
-  given.take("inputs", data.inputs);
-  given.take("derivatives", data.derivatives);
-  given.take("embed", data.embed);
-  given.take("holds", data.holds);
-  given.take("names", data.names);
-}
-
-void take_held_out(const Given& given, cli::RecordSources& sources) {
-  given.take("held_out_paths", sources.paths);
-  given.take("held_out_tables", sources.tables);
-}
-
-void take_model(const Given& given, cli::ModelSource& model) {
-  given.take("model", model.given);
-  given.take("model_path", model.path);
-}
 
 Answer identify(const nb::dict& arguments) {
   const Given given(arguments);
@@ -110,6 +35,7 @@ Answer identify(const nb::dict& arguments) {
   given.take("discrete", request.discrete);
   given.take("integrator", request.integrator);
   given.take("memory", request.memory);
+  take_named(given, "effort", cli::efforts(), request.effort);
   if (given.has("own_basis")) {
     std::optional<WrittenBasis> basis;
     given.take("own_basis", basis);
@@ -148,6 +74,7 @@ Answer diagnose(const nb::dict& arguments) {
   given.take("config", request.config);
   given.take("max_effects", request.max_effects);
   given.take("fill_gap", request.fill_gap);
+  take_named(given, "effort", cli::efforts(), request.effort);
   std::vector<WrittenEffect> own;
   given.take("own_effects", own);
   for (WrittenEffect& effect : own) request.own_effects.emplace_back(std::move(effect));
@@ -163,15 +90,23 @@ Answer diagnose(const nb::dict& arguments) {
   return answer;
 }
 
-Answer fit(const nb::dict& arguments) {
-  const Given given(arguments);
+cli::FitRequest fit_request(const Given& given) {
   cli::FitRequest request;
-  take_model(given, request.model);
   take_data(given, request.data);
   take_held_out(given, request.held_out);
   given.take("start_samples", request.fit.window);
+  given.take("start_time", request.fit.start_time);
   given.take("ahead", request.fit.prediction);
   given.take("restarts", request.fit.restarts);
+  given.take("profile", request.fit.profile);
+  take_named(given, "effort", cli::efforts(), request.fit.effort);
+  return request;
+}
+
+Answer fit(const nb::dict& arguments) {
+  const Given given(arguments);
+  cli::FitRequest request = fit_request(given);
+  take_model(given, request.model);
   auto found = std::make_shared<const Fit>(
       call(call_options(given), [request = std::move(request)](const RunContext& context) {
         return cli::answer(request, context);
@@ -181,6 +116,27 @@ Answer fit(const nb::dict& arguments) {
                 [found] { return fit_page(*found); }};
   answer.model.emplace(found->model);
   if (!found->converged) answer.failure = "the fit did not converge";
+  return answer;
+}
+
+/// Several models fitted to the same records; the model and the page are those of the best.
+Answer fit_rivals(const nb::dict& arguments) {
+  const Given given(arguments);
+  std::vector<cli::ModelSource> models = models_of(given);
+  auto fits = std::make_shared<const std::vector<NamedFit>>(
+      call(call_options(given), [request = fit_request(given), models = std::move(models)](
+                                    const RunContext& context) {
+        return cli::answers(request, models, context);
+      }));
+  auto compared = std::make_shared<const RivalComparison>(compare_fits(*fits));
+  const auto best = std::find_if(fits->begin(), fits->end(), [&](const NamedFit& one) {
+    return one.name == compared->rivals.front().name;
+  });
+  Answer answer{[compared] { return format_json(*compared); },
+                [compared](const TextOptions&) { return format_text(*compared); },
+                [fits, best] { return fit_page(best->fit); }};
+  answer.model.emplace(best->fit.model);
+  if (!best->fit.converged) answer.failure = "the fit did not converge";
   return answer;
 }
 
@@ -289,29 +245,7 @@ std::vector<std::pair<std::string, std::string>> pictures(const Answer& answer) 
   return result;
 }
 
-}  // namespace
-
-void bind_answers(nb::module_& module) {
-  nb::class_<Answer>(module, "Answer", "What a command answers, in the ways it shows it.")
-      .def("json", [](const Answer& self) { return self.json(); })
-      .def(
-          "text",
-          [](const Answer& self, bool full, bool explain) {
-            return folded(printable(self.text({{.full = full}, explain})));
-          },
-          nb::arg("full"), nb::arg("explain"))
-      .def("html", &html_of, nb::arg("command"))
-      .def("pictures", &pictures)
-      .def(
-          "figures",
-          [](const Answer& self) { return self.page ? figures_of(self.page()) : nb::list(); },
-          nb::sig("def figures(self) -> list[dict[str, typing.Any]]"))
-      .def_prop_ro("has_page", [](const Answer& self) { return self.page != nullptr; })
-      .def_prop_ro("has_trail", [](const Answer& self) { return self.trail != nullptr; })
-      .def("trail", [](const Answer& self) { return printable(self.trail()); })
-      .def_ro("model", &Answer::model)
-      .def_ro("warnings", &Answer::warnings)
-      .def_ro("failure", &Answer::failure);
+void bind_orbits(nb::module_& module) {
   nb::class_<SimulatedOrbit>(module, "Orbit", "What was simulated.")
       .def_prop_ro("time",
                    [](const SimulatedOrbit& self) {
@@ -329,20 +263,56 @@ void bind_answers(nb::module_& module) {
       .def_prop_ro("notes", [](const SimulatedOrbit& self) { return self.answer->notes; })
       .def_prop_ro("problem", [](const SimulatedOrbit& self) { return self.answer->problem; })
       .def("csv", [](const SimulatedOrbit& self) { return format_csv(self.answer->data); });
+  module.def("simulate", &simulate, nb::arg("arguments"),
+             nb::sig("def simulate(arguments: dict[str, typing.Any]) -> Orbit"));
+}
+
+}  // namespace
+
+void bind_answers(nb::module_& module) {
+  nb::class_<Answer>(module, "Answer", "What a command answers, in the ways it shows it.")
+      .def("json", [](const Answer& self) { return self.json ? self.json() : std::string(); })
+      .def(
+          "text",
+          [](const Answer& self, bool full, bool explain) {
+            return folded(printable(self.text({{.full = full}, explain})));
+          },
+          nb::arg("full"), nb::arg("explain"))
+      .def("html", &html_of, nb::arg("command"))
+      .def("pictures", &pictures)
+      .def(
+          "figures",
+          [](const Answer& self) { return self.page ? figures_of(self.page()) : nb::list(); },
+          nb::sig("def figures(self) -> list[dict[str, typing.Any]]"))
+      .def_prop_ro("has_page", [](const Answer& self) { return self.page != nullptr; })
+      .def_prop_ro("has_json", [](const Answer& self) { return self.json != nullptr; })
+      .def("csv", [](const Answer& self) { return self.csv ? self.csv() : std::string(); })
+      .def(
+          "inputs",
+          [](const Answer& self, const std::string& format) {
+            return self.inputs ? self.inputs(format) : std::string();
+          },
+          nb::arg("format"))
+      .def_prop_ro("has_trail", [](const Answer& self) { return self.trail != nullptr; })
+      .def("trail", [](const Answer& self) { return folded(printable(self.trail())); })
+      .def_ro("model", &Answer::model)
+      .def_ro("warnings", &Answer::warnings)
+      .def_ro("failure", &Answer::failure);
   module.def("identify", &identify, nb::arg("arguments"),
              nb::sig("def identify(arguments: dict[str, typing.Any]) -> Answer"));
   module.def("diagnose", &diagnose, nb::arg("arguments"),
              nb::sig("def diagnose(arguments: dict[str, typing.Any]) -> Answer"));
   module.def("fit", &fit, nb::arg("arguments"),
              nb::sig("def fit(arguments: dict[str, typing.Any]) -> Answer"));
+  module.def("fit_rivals", &fit_rivals, nb::arg("arguments"),
+             nb::sig("def fit_rivals(arguments: dict[str, typing.Any]) -> Answer"));
   module.def("sync", &sync, nb::arg("arguments"),
              nb::sig("def sync(arguments: dict[str, typing.Any]) -> Answer"));
   module.def("compare", &compare, nb::arg("arguments"),
              nb::sig("def compare(arguments: dict[str, typing.Any]) -> Answer"));
   module.def("check", &check, nb::arg("arguments"),
              nb::sig("def check(arguments: dict[str, typing.Any]) -> Answer"));
-  module.def("simulate", &simulate, nb::arg("arguments"),
-             nb::sig("def simulate(arguments: dict[str, typing.Any]) -> Orbit"));
+  bind_orbits(module);
 }
 
 }  // namespace lacuna::python

@@ -18,5 +18,6 @@ void bind_tables(nb::module_& module);   ///< records that are in memory
 void bind_model(nb::module_& module);    ///< SystemModel and its compiled evaluation
 void bind_stages(nb::module_& module);   ///< registered parts, and parts written in Python
 void bind_answers(nb::module_& module);  ///< what the commands answer
+void bind_designs(nb::module_& module);  ///< of them, plans of experiments and benches
 
 }  // namespace lacuna::python

@@ -74,6 +74,10 @@ RunContext make_context(const CallOptions& options, const std::shared_ptr<Exchan
   context.stop = std::move(stop);
   context.seed = options.seed;
   context.threads = options.threads;
+  if (options.time_limit)
+    context.deadline = std::chrono::steady_clock::now() +
+                       std::chrono::duration_cast<std::chrono::steady_clock::duration>(
+                           std::chrono::duration<double>(*options.time_limit));
   if (options.progress.is_none()) return context;
   context.progress = [exchange](const Progress& progress) {
     const std::lock_guard lock(exchange->mutex);

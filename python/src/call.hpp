@@ -15,12 +15,13 @@ namespace lacuna::python {
 
 namespace nb = nanobind;
 
-/// How a call runs: seed, threads, and who is informed how far it is (None, or a function of an
-/// activity and a fraction).
+/// How a call runs: seed, threads, who is informed how far it is (None, or a function of an
+/// activity and a fraction), and when it ends with the answer that it has by then.
 struct CallOptions {
   std::uint64_t seed = 1;
   int threads = 1;
   nb::object progress = nb::none();
+  std::optional<double> time_limit = {};  ///< seconds
 };
 
 /// Runs work in a thread of its own without the interpreter's lock while this one looks at

@@ -99,6 +99,7 @@ NB_MODULE(_lacuna, module) {
   bind_model(module);
   bind_stages(module);
   bind_answers(module);
+  bind_designs(module);
   module.def("wait_for_abandoned_work", &wait_for_abandoned_work,
              "Wait for calls that were interrupted and have not ended yet.");
   module.attr("version") = LACUNA_VERSION;

@@ -14,6 +14,7 @@
 #include "lacuna/identify/pipeline/presets.hpp"
 #include "own_stages.hpp"
 #include "report/json/stage_json.hpp"
+#include "report/pages/folded_text.hpp"
 
 namespace lacuna::python {
 namespace {
@@ -123,11 +124,15 @@ void bind_stages(nb::module_& module) {
       nb::arg("name"), nb::arg("paper"));
   module.def(
       "list_parts",
-      [](const std::string& kind) { return printable(cli::list_of_parts(registry(), kind)); },
+      [](const std::string& kind) {
+        return folded(printable(cli::list_of_parts(registry(), kind)));
+      },
       nb::arg("kind"));
   module.def(
       "describe",
-      [](const std::string& name) { return printable(cli::description_of(registry(), name)); },
+      [](const std::string& name) {
+        return folded(printable(cli::description_of(registry(), name)));
+      },
       nb::arg("name"));
   module.def("derivatives", &derivatives, nb::arg("method"), nb::arg("options"),
              nb::arg("time"), nb::arg("values"));

@@ -14,6 +14,10 @@ import lacuna
 # What the command is given, and the same call.
 Case = tuple[list[str], Callable[[], Any]]
 
+# A short search for an experiment.
+NUMBERS = {"draws": 2, "safety_draws": 10, "candidates": 4, "searches": 1, "evaluations": 10}
+SEARCH = [text for name, n in NUMBERS.items() for text in ("--" + name.replace("_", "-"), str(n))]
+
 CASES: dict[str, Case] = {
     "identify": (["identify", "orbit.csv"], lambda: lacuna.identify("orbit.csv")),
     "identify-preset": (
@@ -83,6 +87,30 @@ CASES: dict[str, Case] = {
         ["fit", "free.ode", "run.csv", "--holdout", "other.csv", "--ahead", "5",
          "--restarts", "1"],
         lambda: lacuna.fit("free.ode", "run.csv", holdout="other.csv", ahead=5, restarts=1),
+    ),
+    "identify-effort": (
+        ["identify", "orbit.csv", "--effort", "quick"],
+        lambda: lacuna.identify("orbit.csv", effort="quick"),
+    ),
+    "fit-rivals": (
+        ["fit", "free.ode", "nominal.ode", "run.csv", "--restarts", "0"],
+        lambda: lacuna.fit(["free.ode", "nominal.ode"], "run.csv", restarts=0),
+    ),
+    "plan": (
+        ["plan", "free.ode", "--input", "u=-2..2, family steps", "--measure", "x=0.01",
+         "--duration", "10", "--safe", "x=-3..3", *SEARCH],
+        lambda: lacuna.plan(
+            "free.ode", inputs={"u": "-2..2, family steps"}, measure={"x": 0.01}, duration=10,
+            safe={"x": (-3, 3)}, options=NUMBERS,
+        ),
+    ),
+    "plan-rivals": (
+        ["plan", "true.ode", "nominal.ode", "--data", "run.csv", "--start", "x=0..1",
+         "--criterion", "box-hill", *SEARCH],
+        lambda: lacuna.plan(
+            ["true.ode", "nominal.ode"], "run.csv", start={"x": (0, 1)}, criterion="box-hill",
+            options=NUMBERS,
+        ),
     ),
     "sync": (["sync", "true.ode", "run.csv"], lambda: lacuna.sync("true.ode", "run.csv")),
     "sync-coupling": (

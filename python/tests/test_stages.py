@@ -30,7 +30,7 @@ def test_every_registered_part_of_a_pipeline_is_a_class() -> None:
 
 @pytest.mark.parametrize("part", every_class(), ids=lambda part: part.__name__)
 def test_options_are_described_and_come_back(part: type[lacuna.Stage]) -> None:
-    if "unavailable" in lacuna.describe(part.name):
+    if "Unavailable" in lacuna.describe(part.name):
         with pytest.raises(lacuna.ConfigError, match="not in this build"):
             part()
         return

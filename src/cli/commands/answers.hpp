@@ -13,6 +13,7 @@
 #include "lacuna/data/long_records/record_stream.hpp"
 #include "lacuna/diagnose/journey/diagnosis.hpp"
 #include "lacuna/forms/candidate/effect.hpp"
+#include "lacuna/identify/bench/bench.hpp"
 #include "lacuna/regression/stages/basis.hpp"
 #include "lacuna/regression/stages/regressor.hpp"
 #include "lacuna/report/pages/comparison_report.hpp"
@@ -91,8 +92,9 @@ struct FitRequest {
 /// @throws what read_records() and fit() throw.
 Fit answer(const FitRequest& request, const RunContext& context);
 
-/// The same records fitted by several models, in the order given.
-std::vector<NamedFit> answers(const FitRequest& request, const std::vector<std::string>& models,
+/// The same records fitted by several models, in the order given; a fit has the path of its model
+/// for a name.
+std::vector<NamedFit> answers(const FitRequest& request, const std::vector<ModelSource>& models,
                               const RunContext& context);
 
 struct SyncRequest {
@@ -159,6 +161,32 @@ struct CompareAnswer {
 ///   compare_attractors().
 CompareAnswer answer(const Registry& registry, const CompareRequest& request,
                      const RunContext& context);
+
+struct BenchRequest {
+  DataOptions data = {};  ///< one path may be the name of a test system
+  std::vector<std::string> parts = {};  ///< "regressor=ols,irls"
+  std::vector<std::string> assignments = {};
+  std::string noise = "0";  ///< percent of each state's deviation, with commas between them
+  std::optional<std::string> preset = {}, config = {};
+  std::optional<int> degree = {};
+  int draws = 1, samples = 2000;
+};
+
+struct BenchAnswer {
+  BenchResult result;
+  std::string subject = {};   ///< what was identified
+  bool has_refiner = false;   ///< whether the refiner is among what was compared
+
+  /// Why no composition gave a model; empty where one did.
+  std::string failure() const;
+};
+
+/// @throws ConfigError for parts or noise that are none, and as bench().
+BenchAnswer answer(const Registry& registry, const BenchRequest& request,
+                   const RunContext& context);
+
+/// The tables, and a note where no refiner was compared.
+std::string text_of(const BenchAnswer& answer);
 
 struct CheckRequest {
   DataOptions data = {};

@@ -4,6 +4,7 @@
 #include <memory>
 #include <set>
 
+#include "answers.hpp"
 #include "cli/configuration/variants.hpp"
 #include "command.hpp"
 #include "core/base/text.hpp"
@@ -21,13 +22,8 @@
 namespace lacuna::cli {
 namespace {
 
-struct BenchArguments {
-  DataOptions data;
-  std::vector<std::string> parts, assignments;
-  std::string noise = "0";
-  std::optional<std::string> preset, config, csv;
-  std::optional<int> degree;
-  int draws = 1, samples = 2000;
+struct BenchArguments : BenchRequest {
+  std::optional<std::string> csv;
   RunOptions run;
   ReportOptions report;
 };
@@ -115,12 +111,12 @@ bool names_refiner(const std::string& text) {
 }
 
 /// Whether the refiner is among what differs or what all have.
-bool asks_for_refiner(const BenchArguments& options) {
+bool asks_for_refiner(const BenchRequest& options) {
   return std::any_of(options.parts.begin(), options.parts.end(), names_refiner) ||
          std::any_of(options.assignments.begin(), options.assignments.end(), names_refiner);
 }
 
-Configuration base_configuration(const BenchArguments& options) {
+Configuration base_configuration(const BenchRequest& options) {
   Configuration configuration;
   if (options.config) configuration.merge_file(*options.config);
   if (options.preset) configuration.set_preset(*options.preset);
@@ -134,7 +130,7 @@ Configuration base_configuration(const BenchArguments& options) {
 
 /// Every combination of the alternatives, the last one varying fastest.
 std::vector<BenchComposition> compositions_of(const Registry& registry,
-                                              const BenchArguments& options,
+                                              const BenchRequest& options,
                                               const std::vector<Alternatives>& alternatives) {
   std::vector<std::vector<std::string>> chosen{{}};
   for (const Alternatives& one : alternatives) {
@@ -176,7 +172,7 @@ struct Subject {
   std::optional<OdeModel> truth = {};
 };
 
-Subject simulated(const TestSystem& system, const BenchArguments& options) {
+Subject simulated(const TestSystem& system, const BenchRequest& options) {
   const double step = options.data.step.value_or(system.step);
   const Vector times = sample_times(0.0, step, options.samples);
   const Solution orbit = simulate(system.model, Dopri87{}, system.start, times);
@@ -187,8 +183,9 @@ Subject simulated(const TestSystem& system, const BenchArguments& options) {
   return {system.name, std::move(data), system.model};
 }
 
-Subject subject_of(const BenchArguments& options) {
+Subject subject_of(const BenchRequest& options) {
   const std::vector<std::string>& paths = options.data.paths;
+  if (!options.data.tables.empty()) return {options.data.name(), read_data(options.data)};
   const auto& systems = test_systems();
   const auto system = std::find_if(systems.begin(), systems.end(), [&](const TestSystem& one) {
     return one.name == paths.front();
@@ -203,35 +200,45 @@ int bench_command(const Session& session, const BenchArguments& options) {
   std::vector<std::string> files = files_read(options.data, {});
   if (options.config) files.push_back(*options.config);
   check_outputs(files, with_report({{"--csv", options.csv}}, options.report));
-  const std::vector<Alternatives> alternatives =
-      all_alternatives(session.registry, options.parts);
-  BenchTask task{.compositions = compositions_of(session.registry, options, alternatives),
-                 .noise = noise_levels(options.noise),
-                 .draws = options.draws};
-  for (const Alternatives& one : alternatives) task.kinds.push_back(one.kind);
-  const RunContext context = make_context(session, options.run);
-  Subject subject = subject_of(options);
-  task.data = std::move(subject.data);
-  task.truth = std::move(subject.truth);
-  const BenchResult result = bench(task, context);
+  const BenchAnswer found =
+      answer(session.registry, options, make_context(session, options.run));
   finish_progress(session, options.run);
-  if (options.csv) write_output(session, *options.csv, format_csv(result));
-  write_report(session, options.report, [&] { return bench_page(result, subject.name); });
-  if (options.csv != "-" && options.report.page != "-") {
-    show(session, format_text(result) +
-                      (asks_for_refiner(options) ? ""
-                               : "\nWithout a refiner, which would replace what these parts "
-                                 "find (--parts refiner=all compares it).\n"));
-  }
-  const bool any = std::any_of(result.cells.begin(), result.cells.end(),
-                               [](const BenchCell& cell) { return !cell.scores.empty(); });
-  if (any) return 0;
-  session.streams.err << "lacuna: error: no composition gave a model: "
-                      << printable(result.cells.front().failures.front()) << "\n";
+  if (options.csv) write_output(session, *options.csv, format_csv(found.result));
+  write_report(session, options.report, [&] { return bench_page(found.result, found.subject); });
+  if (options.csv != "-" && options.report.page != "-") show(session, text_of(found));
+  const std::string failure = found.failure();
+  if (failure.empty()) return 0;
+  session.streams.err << "lacuna: error: " << printable(failure) << "\n";
   return 1;
 }
 
 }  // namespace
+
+std::string BenchAnswer::failure() const {
+  const bool any = std::any_of(result.cells.begin(), result.cells.end(),
+                               [](const BenchCell& cell) { return !cell.scores.empty(); });
+  return any ? "" : "no composition gave a model: " + result.cells.front().failures.front();
+}
+
+BenchAnswer answer(const Registry& registry, const BenchRequest& request,
+                   const RunContext& context) {
+  const std::vector<Alternatives> alternatives = all_alternatives(registry, request.parts);
+  BenchTask task{.compositions = compositions_of(registry, request, alternatives),
+                 .noise = noise_levels(request.noise),
+                 .draws = request.draws};
+  for (const Alternatives& one : alternatives) task.kinds.push_back(one.kind);
+  Subject subject = subject_of(request);
+  task.data = std::move(subject.data);
+  task.truth = std::move(subject.truth);
+  return {bench(task, context), subject.name, asks_for_refiner(request)};
+}
+
+std::string text_of(const BenchAnswer& answer) {
+  return format_text(answer.result) +
+         (answer.has_refiner ? ""
+                             : "\nWithout a refiner, which would replace what these parts find "
+                               "(--parts refiner=all compares it).\n");
+}
 
 Command declare_bench(CLI::App& root) {
   auto options = std::make_shared<BenchArguments>();

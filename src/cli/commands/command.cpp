@@ -132,14 +132,18 @@ void declare_run_options(CLI::App& app, RunOptions& options) {
       ->capture_default_str();
 }
 
-void declare_effort_options(CLI::App& app, RunOptions& options) {
+const std::map<std::string, Thoroughness>& efforts() {
   static const std::map<std::string, Thoroughness> kEfforts{{"quick", Thoroughness::Quick},
                                                             {"normal", Thoroughness::Normal},
                                                             {"full", Thoroughness::Full}};
+  return kEfforts;
+}
+
+void declare_effort_options(CLI::App& app, RunOptions& options) {
   app.add_option("--effort", options.effort,
                  "quick: only what an answer needs; normal: all stages, as far as something "
                  "can be gained; full: all to their end [default: normal]")
-      ->transform(CLI::CheckedTransformer(kEfforts).description(""))
+      ->transform(CLI::CheckedTransformer(efforts()).description(""))
       ->type_name("quick|normal|full");
   app.add_option("--time-limit", options.time_limit,
                  "Seconds after which the run ends with the answer that it has by then and names "

@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <chrono>
 #include <functional>
+#include <map>
 #include <optional>
 #include <stop_token>
 #include <string>
@@ -64,6 +65,9 @@ struct RunOptions {
 };
 
 void declare_run_options(CLI::App& app, RunOptions& options);
+
+/// Efforts by the names that users give them.
+const std::map<std::string, Thoroughness>& efforts();
 
 /// Options of a command that can give an answer with some of its stages left out.
 void declare_effort_options(CLI::App& app, RunOptions& options);

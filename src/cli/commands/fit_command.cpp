@@ -53,10 +53,10 @@ bool is_rival(const std::string& path) {
 }
 
 /// Models among the data: rivals of the first.
-std::vector<std::string> take_models(FitArguments& options) {
-  std::vector<std::string> models{options.model.path};
+std::vector<ModelSource> take_models(FitArguments& options) {
+  std::vector<ModelSource> models{options.model};
   std::erase_if(options.data.paths, [&](const std::string& path) {
-    if (is_rival(path)) models.push_back(path);
+    if (is_rival(path)) models.push_back({path});
     return is_rival(path);
   });
   if (options.data.paths.empty())
@@ -65,7 +65,7 @@ std::vector<std::string> take_models(FitArguments& options) {
 }
 
 int compare_models(const Session& session, const FitArguments& options,
-                   const std::vector<std::string>& models) {
+                   const std::vector<ModelSource>& models) {
   const std::vector<NamedFit> fits =
       answers(options, models, make_context(session, options.run));
   finish_progress(session, options.run);
@@ -90,7 +90,7 @@ int fit_command(const Session& session, FitArguments options) {
                 with_report({{"--model-out", options.model_out}, {"--json", options.json}},
                             options.report));
   options.fit.effort = options.run.effort;
-  const std::vector<std::string> models = take_models(options);
+  const std::vector<ModelSource> models = take_models(options);
   if (models.size() > 1) return compare_models(session, options, models);
   const Fit found = answer(options, make_context(session, options.run));
   finish_progress(session, options.run);
@@ -117,13 +117,13 @@ Fit answer(const FitRequest& request, const RunContext& context) {
   return fit(held, data, held_out, request.fit, context);
 }
 
-std::vector<NamedFit> answers(const FitRequest& request, const std::vector<std::string>& models,
+std::vector<NamedFit> answers(const FitRequest& request, const std::vector<ModelSource>& models,
                               const RunContext& context) {
   std::vector<NamedFit> fits;
-  for (const std::string& model : models) {
+  for (const ModelSource& model : models) {
     FitRequest one = request;
-    one.model.path = model;
-    fits.push_back({model, answer(one, context)});
+    one.model = model;
+    fits.push_back({model.path, answer(one, context)});
   }
   return fits;
 }

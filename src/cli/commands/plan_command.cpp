@@ -37,9 +37,7 @@ int plan_command(const Session& session, const PlanArguments& options) {
   files.insert(files.end(), options.models.begin(), options.models.end());
   if (options.after) files.push_back(*options.after);
   if (!files.empty()) check_outputs(files, outputs_of(options));
-  const RunContext context = make_context(session, options.run);
-  PlanReport report{problem_of(options, context), options.options, {}};
-  report.plan = plan_experiment(report.problem, report.options, context);
+  const PlanReport report = answer(options, make_context(session, options.run));
   finish_progress(session, options.run);
   if (options.inputs_out)
     write_output(session, *options.inputs_out, format_inputs(report, options.format));
@@ -83,30 +81,18 @@ void declare_task(CLI::App& app, PlanArguments& options) {
 }
 
 void declare_aim(CLI::App& app, PlanOptions& options) {
-  static const std::map<std::string, PlanAim> kAims{{"rivals", PlanAim::Rivals},
-                                                    {"parameters", PlanAim::Parameters},
-                                                    {"both", PlanAim::Both}};
-  static const std::map<std::string, RivalCriterion> kRivals{
-      {"bayes-factor", RivalCriterion::BayesFactor},
-      {"box-hill", RivalCriterion::BoxHill},
-      {"hunter-reiner", RivalCriterion::HunterReiner}};
-  static const std::map<std::string, PrecisionCriterion> kPrecision{
-      {"d", PrecisionCriterion::D},
-      {"a", PrecisionCriterion::A},
-      {"e", PrecisionCriterion::E},
-      {"modified-e", PrecisionCriterion::ModifiedE}};
   app.add_option("--want", options.aim,
                  "What the experiment is for [default: rivals where there are any]")
-      ->transform(CLI::CheckedTransformer(kAims).description(""))
+      ->transform(CLI::CheckedTransformer(plan_aims()).description(""))
       ->type_name("rivals|parameters|both");
   app.add_option("--criterion", options.rivals,
                  "How rivals are compared, each refitted [default: bayes-factor, of the pair "
                  "where it is least]")
-      ->transform(CLI::CheckedTransformer(kRivals).description(""))
+      ->transform(CLI::CheckedTransformer(rival_criteria()).description(""))
       ->type_name("bayes-factor|box-hill|hunter-reiner");
   app.add_option("--precision", options.precision,
                  "What is made large of the information matrix [default: d]")
-      ->transform(CLI::CheckedTransformer(kPrecision).description(""))
+      ->transform(CLI::CheckedTransformer(precision_criteria()).description(""))
       ->type_name("d|a|e|modified-e");
   app.add_option("--parameter", options.parameters, "Parameters that count, no others")
       ->type_name("NAME");
@@ -161,6 +147,30 @@ void declare_outputs(CLI::App& app, PlanArguments& options) {
 }
 
 }  // namespace
+
+const std::map<std::string, PlanAim>& plan_aims() {
+  static const std::map<std::string, PlanAim> kAims{{"rivals", PlanAim::Rivals},
+                                                    {"parameters", PlanAim::Parameters},
+                                                    {"both", PlanAim::Both}};
+  return kAims;
+}
+
+const std::map<std::string, RivalCriterion>& rival_criteria() {
+  static const std::map<std::string, RivalCriterion> kRivals{
+      {"bayes-factor", RivalCriterion::BayesFactor},
+      {"box-hill", RivalCriterion::BoxHill},
+      {"hunter-reiner", RivalCriterion::HunterReiner}};
+  return kRivals;
+}
+
+const std::map<std::string, PrecisionCriterion>& precision_criteria() {
+  static const std::map<std::string, PrecisionCriterion> kPrecision{
+      {"d", PrecisionCriterion::D},
+      {"a", PrecisionCriterion::A},
+      {"e", PrecisionCriterion::E},
+      {"modified-e", PrecisionCriterion::ModifiedE}};
+  return kPrecision;
+}
 
 Command declare_plan(CLI::App& root) {
   auto options = std::make_shared<PlanArguments>();

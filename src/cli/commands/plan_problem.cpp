@@ -18,10 +18,17 @@
 namespace lacuna::cli {
 namespace {
 
+/// What the earlier answer is called in messages.
+std::string source_of_answer(const PlanRequest& request) {
+  return request.after.value_or("result");
+}
+
 /// Models by their files, short names where these are distinct.
 PlanModels models_of(const PlanRequest& request) {
   PlanModels found;
-  if (request.after)
+  if (request.answer)
+    found = models_of_answer(*request.answer, source_of_answer(request));
+  else if (request.after)
     found = models_of_answer(read_text_file(*request.after, "answer"), *request.after);
   for (const std::string& path : request.models) {
     std::string name = std::filesystem::path(path).stem().string();
@@ -29,6 +36,7 @@ PlanModels models_of(const PlanRequest& request) {
                                    [&](const PlanModel& one) { return one.name == name; });
     found.models.push_back({taken ? path : name, load_system({path})});
   }
+  found.models.insert(found.models.end(), request.given.begin(), request.given.end());
   if (found.models.empty())
     throw ConfigError("MODEL", "no model is given", "name a model, or an answer with --after");
   return found;
@@ -157,7 +165,7 @@ PlanProblem problem_of(const PlanRequest& request, const RunContext& context) {
   std::vector<FittedModel> fits;
   if (!request.data.empty()) fits = fit_models(request, known, context);
   if (known.has_unfitted && fits.empty())
-    throw ConfigError("--after " + *request.after,
+    throw ConfigError("--after " + source_of_answer(request),
                       "the alternatives of a diagnosis have no coefficients of their own",
                       "give the records with --data, to which they are fitted");
   const Dataset* data = fits.empty() ? nullptr : &fits.front().data;
@@ -171,6 +179,12 @@ PlanProblem problem_of(const PlanRequest& request, const RunContext& context) {
   if (!fits.empty())
     problem.made = experiments_of(fits.front().fit, fits.front().data, problem);
   return problem;
+}
+
+PlanReport answer(const PlanRequest& request, const RunContext& context) {
+  PlanReport report{problem_of(request, context), request.options, {}};
+  report.plan = plan_experiment(report.problem, report.options, context);
+  return report;
 }
 
 }  // namespace lacuna::cli

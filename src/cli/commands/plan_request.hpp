@@ -2,6 +2,7 @@
 // What is asked of a plan on the command line, and the problem that it is.
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -13,7 +14,9 @@ namespace lacuna::cli {
 
 struct PlanRequest {
   std::vector<std::string> models = {};    ///< files
-  std::optional<std::string> after = {};   ///< an answer as JSON
+  std::vector<PlanModel> given = {};       ///< in memory, behind those of files
+  std::optional<std::string> after = {};   ///< a file with an answer as JSON
+  std::optional<std::string> answer = {};  ///< such an answer in memory, in place of the file
   DataOptions data = {};                   ///< records that are there already; may be empty
   std::vector<std::string> inputs = {};    ///< "u=-5..5, rate 100, hold 0.01, family steps"
   std::vector<std::string> channels = {};  ///< "y=0.02"
@@ -23,6 +26,11 @@ struct PlanRequest {
   std::optional<int> measurements = {};
   PlanOptions options = {};
 };
+
+/// Values of options by the names that users give them.
+const std::map<std::string, PlanAim>& plan_aims();
+const std::map<std::string, RivalCriterion>& rival_criteria();
+const std::map<std::string, PrecisionCriterion>& precision_criteria();
 
 /// "u=-5..5, rate 100, hold 0.01, family steps|prbs, pieces 8": all but the range may be absent.
 /// @throws ConfigError that says which part is wrong.
@@ -54,5 +62,8 @@ PlanModels models_of_answer(const std::string& text, const std::string& source);
 /// their inputs, duration and step where these are not given.
 /// @throws ConfigError for what is missing or does not go together; as fit().
 PlanProblem problem_of(const PlanRequest& request, const RunContext& context);
+
+/// The problem and its plan. @throws as problem_of() and plan_experiment().
+PlanReport answer(const PlanRequest& request, const RunContext& context);
 
 }  // namespace lacuna::cli

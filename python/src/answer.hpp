@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: MIT
+// What calls are given, and what they answer.
+#pragma once
+
+#include <nanobind/nanobind.h>
+#include <nanobind/stl/optional.h>
+#include <nanobind/stl/pair.h>
+#include <nanobind/stl/string.h>
+#include <nanobind/stl/vector.h>
+
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "call.hpp"
+#include "cli/commands/answers.hpp"
+#include "core/base/text.hpp"
+#include "lacuna/core/base/error.hpp"
+#include "report/pages/pages.hpp"
+
+namespace lacuna::python {
+
+/// An answer in all the ways in which it is shown. What an answer cannot be shown as is empty.
+struct Answer {
+  std::function<std::string()> json;
+  std::function<std::string(const TextOptions& options)> text;
+  std::function<Page()> page = {};
+  std::function<std::string()> trail = {};
+  std::function<std::string()> csv = {};
+  std::function<std::string(const std::string& format)> inputs = {};  ///< of a plan
+  std::optional<SystemModel> model = {};
+  std::vector<std::string> warnings = {};
+  std::string failure = {};  ///< why the numbers do not allow an answer; empty: they do
+};
+
+/// Keyword arguments by their names; each is there or has its default.
+class Given {
+ public:
+  explicit Given(nb::dict values) : values_(std::move(values)) {}
+
+  template <class Value>
+  void take(const char* name, Value& value) const {
+    if (values_.contains(name)) value = nb::cast<Value>(values_[name]);
+  }
+
+  /// One by one, as a caster of a vector must not run out of memory.
+  void take(const char* name, std::vector<Table>& tables) const {
+    if (!values_.contains(name)) return;
+    for (const nb::handle table : nb::cast<nb::list>(values_[name]))
+      tables.push_back(nb::cast<const Table&>(table));
+  }
+
+  bool has(const char* name) const { return values_.contains(name); }
+
+ private:
+  nb::dict values_;
+};
+
+inline CallOptions call_options(const Given& given) {
+  CallOptions options;
+  given.take("seed", options.seed);
+  given.take("threads", options.threads);
+  given.take("progress", options.progress);
+  given.take("time_limit", options.time_limit);
+  if (options.time_limit && !(*options.time_limit >= 1e-3 && *options.time_limit <= 1e9))
+    throw ArgumentError("time_limit", "it is no time from 0.001 to 1e9 seconds",
+                        "give seconds, or leave it out");
+  return options;
+}
+
+inline void take_data(const Given& given, cli::DataOptions& data) {
+  given.take("paths", data.paths);
+  given.take("tables", data.tables);
+  given.take("time", data.time);
+  given.take("time_unit", data.time_unit);
+  given.take("trajectory", data.trajectory);
+  given.take("step", data.step);
+  given.take("states", data.states);
+  given.take("inputs", data.inputs);
+  given.take("derivatives", data.derivatives);
+  given.take("embed", data.embed);
+  given.take("holds", data.holds);
+  given.take("names", data.names);
+}
+
+inline void take_held_out(const Given& given, cli::RecordSources& sources) {
+  given.take("held_out_paths", sources.paths);
+  given.take("held_out_tables", sources.tables);
+}
+
+inline void take_model(const Given& given, cli::ModelSource& model) {
+  given.take("model", model.given);
+  given.take("model_path", model.path);
+}
+
+/// Models, each by its value or its path, with names: `models` is a list of pairs.
+inline std::vector<cli::ModelSource> models_of(const Given& given) {
+  std::vector<std::pair<std::string, std::optional<SystemModel>>> models;
+  given.take("models", models);
+  std::vector<cli::ModelSource> sources;
+  for (auto& [path, model] : models) sources.push_back({path, std::move(model)});
+  return sources;
+}
+
+/// A value by the name that it has on the command line.
+/// @throws ConfigError that lists the names.
+template <class Value>
+void take_named(const Given& given, const char* name, const std::map<std::string, Value>& values,
+                Value& value) {
+  std::string chosen;
+  given.take(name, chosen);
+  if (chosen.empty()) return;
+  const auto found = values.find(chosen);
+  std::vector<std::string> names;
+  for (const auto& [known, one] : values) names.push_back(known);
+  if (found == values.end())
+    throw ConfigError(name, "'" + chosen + "' is not known", "give one of " + join(names, ", "));
+  value = found->second;
+}
+
+}  // namespace lacuna::python
