@@ -260,6 +260,7 @@ std::vector<Stage<Hypothesis>> hypotheses_of(const DiagnosisOptions& options,
 Diagnosis diagnose(const OdeModel& model, const Dataset& measured, const Dataset& other,
                    const DiagnosisOptions& options, const RunContext& context) {
   check_flow(model, "diagnose");
+  check_no_events(model, "diagnose");
   const Dataset data = in_variables_of(model, measured);
   const Dataset held_out = other.trajectories.empty() ? other : in_variables_of(model, other);
   const OdeModel nominal = with_output_channels(model, data);
