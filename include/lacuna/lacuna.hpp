@@ -63,6 +63,8 @@
 #include "lacuna/identify/validation/validation_options.hpp"
 #include "lacuna/model/equations/adequacy.hpp"
 #include "lacuna/model/equations/compare_models.hpp"
+#include "lacuna/model/equations/event.hpp"
+#include "lacuna/model/equations/noise_law.hpp"
 #include "lacuna/model/equations/ode_model.hpp"
 #include "lacuna/model/equations/parametrised_model.hpp"
 #include "lacuna/model/equations/rounding.hpp"

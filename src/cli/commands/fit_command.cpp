@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "answers.hpp"
+#include "assignments.hpp"
 #include "command.hpp"
 #include "data_options.hpp"
 #include "lacuna/data/derivatives/finite_differences.hpp"
@@ -25,6 +26,7 @@ constexpr Index kMostSamples = Index{1} << 50U;
 struct FitArguments : FitRequest {
   RunOptions run;
   std::optional<std::string> model_out, json;
+  std::vector<std::string> deviations;
   ReportOptions report;
   Digits digits;
 };
@@ -35,7 +37,8 @@ struct FitArguments : FitRequest {
 Dataset read(const OdeModel& model, const RecordSources& sources, const FitRequest& request) {
   ColumnRoles roles = common_roles(request.data);
   roles.blanks = Blanks::Keep;
-  return join_across_gaps(records_for(model, sources, roles, FiniteDifferences{}));
+  const Columns columns = request.fit.deviations.empty() ? Columns::OfModel : Columns::All;
+  return join_across_gaps(records_for(model, sources, roles, FiniteDifferences{}, columns));
 }
 
 /// The system with the holds of its inputs as given, and as the samples show them.
@@ -83,7 +86,17 @@ int compare_models(const Session& session, const FitArguments& options,
   return best->fit.converged ? 0 : 1;
 }
 
+/// Columns of standard deviations, as NAME=COLUMN gives them.
+std::vector<KnownDeviation> read_deviations(const std::vector<std::string>& assignments) {
+  std::vector<KnownDeviation> known;
+  for (const Assignment& part :
+       read_assignments({"--deviation", "NAME=COLUMN", "--deviation y=sd"}, assignments))
+    known.push_back({part.name, part.value});
+  return known;
+}
+
 int fit_command(const Session& session, FitArguments options) {
+  options.fit.deviations = read_deviations(options.deviations);
   std::vector<std::string> files = files_read(options.data, options.held_out.paths);
   files.push_back(options.model.path);
   check_outputs(files,
@@ -149,6 +162,9 @@ Command declare_fit(CLI::App& root) {
                   "Time at which records begin and initial values hold, before the first "
                   "sample")
       ->type_name("T");
+  app->add_option("--deviation", options->deviations,
+                  "Column with the standard deviation of each value of a column")
+      ->type_name("NAME=COLUMN");
   app->add_option("--ahead", options->fit.prediction,
                   "Samples ahead of the error of prediction")
       ->check(CLI::Range(Index{1}, kMostSamples))

@@ -291,6 +291,7 @@ std::vector<Stage<Hypothesis>> hypotheses_of(const DiagnosisOptions& options,
 Diagnosis diagnose(const OdeModel& model, const Dataset& measured, const Dataset& other,
                    const DiagnosisOptions& options, const RunContext& context) {
   check_flow(model, "diagnose");
+  check_no_events(model, "diagnose");
   const auto [seen, data, held_out] = in_states(model, measured, other);
   const OdeModel nominal = with_output_channels(seen, data);
   check_is_view(nominal, data);

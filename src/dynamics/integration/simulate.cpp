@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/base/check.hpp"
+#include "dynamics/integration/event_stepper.hpp"
 
 namespace lacuna {
 namespace {
@@ -240,6 +241,21 @@ void check_initial_state(const OdeModel& model, const Vector& x0) {
                       "give one value per state");
 }
 
+/// Where and when a simulation begins, and the times of its samples.
+struct Course {
+  const Vector& x0;
+  const Vector& times;
+};
+
+/// The orbit of a model with events.
+Solution jumping(const Integrator& integrator, const DrivenModel& driven, Flow& flow,
+                 const Course& course, const RunContext& context) {
+  if (!course.times.allFinite() || course.times.size() == 0)
+    return integrator.integrate(flow, course.x0, course.times, context);  // which says so
+  const EventIntegrator events(integrator, driven, course.times);
+  return events.integrate(flow, events.behind_first(course.x0), course.times, context);
+}
+
 }  // namespace
 
 Solution simulate(const OdeModel& model, const Integrator& integrator, const Vector& x0,
@@ -257,10 +273,11 @@ Solution simulate(const DrivenModel& driven, const Integrator& integrator, const
   check_initial_state(model, x0);
   Flow flow(driven);
   const bool in_pieces = !flow.delays().empty() || driven.breaks.size() > 0;
-  Solution solution = model.is_map() ? Iteration{}.integrate(flow, x0, times, context)
-                      : in_pieces    ? PiecewiseIntegrator(integrator, flow, driven.breaks)
-                                        .integrate(flow, x0, times, context)
-                                  : integrator.integrate(flow, x0, times, context);
+  const PiecewiseIntegrator pieces(integrator, flow, driven.breaks);
+  const Integrator& plain = in_pieces ? static_cast<const Integrator&>(pieces) : integrator;
+  Solution solution = model.is_map()           ? Iteration{}.integrate(flow, x0, times, context)
+                      : model.events().empty() ? plain.integrate(flow, x0, times, context)
+                                               : jumping(plain, driven, flow, {x0, times}, context);
   solution.message = end_message(solution.status, solution.end_time, solution.end_state,
                                  state_names(model), model.time_unit());
   return solution;

@@ -144,6 +144,7 @@ SyncResult synchronise(const OdeModel& model, const Dataset& record,
                        const Integrator& integrator, const SyncOptions& options,
                        const RunContext& context) {
   check_flow(model, "synchronise");
+  check_no_events(model, "synchronise");
   check_dataset(record);
   check_known(options.noise, record, "synchronise");
   check_shapes(model, options);

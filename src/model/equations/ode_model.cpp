@@ -153,7 +153,8 @@ OdeModel OdeModel::with_equations(std::vector<Equation> equations) const {
   OdeModel result(states_, inputs_, std::move(equations), time_unit_);
   result.outputs_ = outputs_;
   result.initial_ = initial_;
-  return result.with_evolution(evolution_);
+  result = result.with_evolution(evolution_);
+  return events_.empty() ? result : result.with_events(events_);
 }
 
 OdeModel OdeModel::with_evolution(Evolution evolution) const {
@@ -167,7 +168,7 @@ OdeModel OdeModel::with_evolution(Evolution evolution) const {
                            "of the other");
   OdeModel result = *this;
   result.evolution_ = evolution;
-  return result;
+  return events_.empty() ? result : result.with_events(events_);
 }
 
 std::optional<TextFault> output_fault(const Output& output, const VariableIndex& variables) {
@@ -187,6 +188,9 @@ std::optional<TextFault> output_fault(const Output& output, const VariableIndex&
       output.formula.operation() == Operation::Variable && output.formula.name() == output.name;
   if (taken && !is_state)
     return TextFault{"a state has the same name and is not it", "rename the output"};
+  if (!output.noise) return std::nullopt;
+  if (const std::string problem = law_problem(*output.noise); !problem.empty())
+    return TextFault{problem, "mend its noise, e.g. noise both 0.1 0.05 below 0.2"};
   return std::nullopt;
 }
 

@@ -169,7 +169,8 @@ OdeModel ParametrisedModel::model() const {
   return OdeModel(symbolic_.states(), std::move(inputs), std::move(equations),
                   symbolic_.time_unit())
       .with_outputs(std::move(outputs))
-      .with_initial(symbolic_.initial());
+      .with_initial(symbolic_.initial())
+      .with_events(substituted(symbolic_.events(), numbers));
 }
 
 ParametrisedModel with_free_coefficients(OdeModel model, const std::vector<bool>& exact,

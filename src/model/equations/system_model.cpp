@@ -101,6 +101,13 @@ std::vector<Output> substituted(std::vector<Output> outputs, const Numbers& numb
   return outputs;
 }
 
+/// What is known of a parameter before.
+std::optional<Prior> prior_of(const Parameter& parameter) {
+  if (parameter.deviation) return Prior{parameter.value, *parameter.deviation};
+  if (parameter.factor) return Prior{parameter.value, std::log(*parameter.factor), true};
+  return std::nullopt;
+}
+
 /// Whether a delay in the model depends on one of the names.
 bool delays_depend_on(const Expression& e, const Names& names) {
   if (e.operation() == Operation::Delay && !e.operands().empty())
@@ -158,7 +165,13 @@ std::string range_problem(const Parameter& parameter) {
     return "its value " + format_number(parameter.value) + " is not in its range " + range;
   if (parameter.deviation && !(*parameter.deviation > 0.0 && std::isfinite(*parameter.deviation)))
     return "its deviation is not above 0";
-  if (parameter.deviation && !parameter.free) return "what is fixed has no deviation";
+  if (parameter.factor && !(*parameter.factor > 1.0 && std::isfinite(*parameter.factor)))
+    return "its factor is not above 1";
+  if (parameter.factor && !(parameter.value > 0.0))
+    return "its value is not above 0, but known by a factor";
+  if (parameter.factor && parameter.deviation) return "it has a deviation and a factor";
+  if ((parameter.deviation || parameter.factor) && !parameter.free)
+    return "what is fixed has no deviation";
   return "";
 }
 
@@ -219,7 +232,8 @@ OdeModel SystemModel::model() const {
   return frame.with_equations(std::move(equations))
       .with_outputs(substituted(symbolic_.outputs(), numbers))
       .with_initial(symbolic_.initial())
-      .with_evolution(symbolic_.evolution());
+      .with_evolution(symbolic_.evolution())
+      .with_events(substituted(symbolic_.events(), numbers));
 }
 
 ParametrisedModel SystemModel::parametrised() const {
@@ -230,8 +244,7 @@ ParametrisedModel SystemModel::parametrised() const {
     if (p.free)
       shapes.push_back({.name = p.name,
                         .value = p.value,
-                        .prior = p.deviation ? std::optional(Prior{p.value, *p.deviation})
-                                             : std::nullopt,
+                        .prior = prior_of(p),
                         .lower = p.min,
                         .upper = p.max});
   for (const Equation& equation : symbolic_.equations())
@@ -251,7 +264,8 @@ ParametrisedModel SystemModel::parametrised() const {
   }
   OdeModel model = frame.with_equations(std::move(equations))
                        .with_outputs(substituted(symbolic_.outputs(), numbers))
-                       .with_initial(symbolic_.initial());
+                       .with_initial(symbolic_.initial())
+                       .with_events(substituted(symbolic_.events(), numbers));
   return {std::move(model), std::move(coefficients), std::move(shapes)};
 }
 

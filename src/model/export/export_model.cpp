@@ -26,6 +26,7 @@ const std::map<std::string, Exporter>& exporters() {
 /// What every exported equation is: the rate of a state.
 void check_rates(const OdeModel& model) {
   check_flow(model, "export");
+  check_no_events(model, "export");
   for (const Quantity& state : model.states())
     if (is_formula_channel(state))
       throw ModelError("export", "'" + state.name + "' is a measured formula and has no rate",

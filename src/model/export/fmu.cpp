@@ -148,6 +148,7 @@ SystemModel without_plain_outputs(const SystemModel& system) {
 
 FmuSources fmu_sources(const SystemModel& given) {
   check_flow(given.symbolic(), "export");
+  check_no_events(given.symbolic(), "export");
   const SystemModel system = without_plain_outputs(given);
   const OdeModel& model = system.symbolic();
   const ForeignNames names = foreign_names(model, c_names());

@@ -63,14 +63,43 @@ std::string parameter_text(const Parameter& parameter) {
   if (parameter.max) object["max"] = *parameter.max;
   if (parameter.per_record) object["per_record"] = true;
   if (parameter.deviation) object["deviation"] = *parameter.deviation;
+  if (parameter.factor) object["factor"] = *parameter.factor;
   add_errors(parameter.value, parameter, object);
   return dump(object);
 }
 
+OrderedJson noise_json(const NoiseLaw& law) {
+  OrderedJson object{{"law", to_string(law.form)}};
+  if (law.form == NoiseForm::Student) object["freedom"] = law.freedom;
+  if (law.constant) object["constant"] = *law.constant;
+  if (law.fraction) object["fraction"] = *law.fraction;
+  if (law.below) object["below"] = *law.below;
+  if (law.above) object["above"] = *law.above;
+  return object;
+}
+
 std::string output_text(const Output& output) {
-  return dump({{"name", output.name},
-               {"expression", output.formula.to_string()},
-               {"unit", output.unit}});
+  OrderedJson object{{"name", output.name},
+                     {"expression", output.formula.to_string()},
+                     {"unit", output.unit}};
+  if (output.noise) object["noise"] = noise_json(*output.noise);
+  return dump(object);
+}
+
+std::string event_json(const Event& event) {
+  OrderedJson object = OrderedJson::object(), set = OrderedJson::object();
+  if (event.guard) {
+    object["when"] = occasion_text(event).substr(std::string("when ").size());
+  } else if (event.period) {
+    object["every"] = *event.period;
+    object["from"] = *event.time;
+    if (event.last) object["until"] = *event.last;
+  } else {
+    object["at"] = *event.time;
+  }
+  for (const Reset& reset : event.resets) set[reset.state] = reset.value.to_string();
+  object["set"] = std::move(set);
+  return dump(object);
 }
 
 std::string initial_text(const InitialValue& initial) {
@@ -97,6 +126,9 @@ std::string further_sections(const SystemModel& system) {
   if (!outputs.empty()) text.append(",\n \"outputs\": ").append(list_text(outputs, "  "));
   if (!initial.empty())
     text.append(",\n \"initial\": {").append(join(initial, ", ")).append("}");
+  std::vector<std::string> events;
+  for (const Event& event : model.events()) events.push_back(event_json(event));
+  if (!events.empty()) text.append(",\n \"events\": ").append(list_text(events, "  "));
   return text;
 }
 

@@ -16,6 +16,7 @@ std::string with_unit(const std::string& name, const std::string& unit) {
 std::string parameter_line(const Parameter& parameter) {
   std::string text = "param " + parameter.name + " = " + format_number(parameter.value);
   if (parameter.deviation) text += " +- " + format_number(*parameter.deviation);
+  if (parameter.factor) text += " */ " + format_number(*parameter.factor);
   text = with_unit(text, parameter.unit);
   if (parameter.min || parameter.max)
     text += " in " + (parameter.min ? format_number(*parameter.min) : "") + ".." +
@@ -60,6 +61,12 @@ std::string initial_text(const std::string& state, const InitialValue& initial) 
          (initial.fixed ? " fixed\n" : "\n");
 }
 
+std::string event_line(const Event& event) {
+  std::vector<std::string> resets;
+  for (const Reset& reset : event.resets) resets.push_back(to_text(reset));
+  return occasion_text(event) + ": " + join(resets, ", ") + "\n";
+}
+
 /// A unit that would be a comment or an output stands in brackets.
 std::string time_line(const std::string& unit) {
   if (unit.empty()) return "time\n";
@@ -80,10 +87,12 @@ std::string format_ode(const SystemModel& system) {
   for (const Parameter& parameter : system.parameters()) text += parameter_line(parameter);
   text += equations_text(model) + choices_text(system);
   for (const Output& output : model.outputs())
-    text += output.name + " = " + with_unit(output.formula.to_string(), output.unit) + "\n";
+    text += output.name + " = " + with_unit(output.formula.to_string(), output.unit) +
+            (output.noise ? " " + to_text(*output.noise) : "") + "\n";
   for (std::size_t k = 0; k < model.states().size(); ++k)
     if (const auto& initial = model.initial()[k])
       text += initial_text(model.states()[k].name, *initial);
+  for (const Event& event : model.events()) text += event_line(event);
   return text;
 }
 

@@ -15,6 +15,7 @@
 #include "model/equations/output_fault.hpp"
 #include "model/expressions/formula_error.hpp"
 #include "model/expressions/operations.hpp"
+#include "event_text.hpp"
 #include "strict_json.hpp"
 
 namespace lacuna {
@@ -179,8 +180,8 @@ std::vector<Parameter> read_parameters(const JsonPlace& list, FirstPaths& taken)
   for (std::size_t i = 0; i < list.size(); ++i) {
     const JsonPlace entry = list.at(i);
     entry.expect_keys(
-        {"name", "value", "unit", "free", "min", "max", "per_record", "deviation", "stderr",
-         "ci95"});
+        {"name", "value", "unit", "free", "min", "max", "per_record", "deviation", "factor",
+         "stderr", "ci95"});
     const JsonPlace name = entry.at("name");
     check_quantity_name(name, name.text(), taken);
     Parameter parameter{.name = name.text(),
@@ -191,6 +192,7 @@ std::vector<Parameter> read_parameters(const JsonPlace& list, FirstPaths& taken)
                         .max = read_number(entry, "max"),
                         .per_record = read_flag(entry, "per_record", false),
                         .deviation = read_number(entry, "deviation"),
+                        .factor = read_number(entry, "factor"),
                         .standard_error = read_error(entry)};
     if (const auto interval = entry.find("ci95")) parameter.ci95 = read_interval(*interval);
     if (const std::string problem = range_problem(parameter); !problem.empty())
@@ -201,6 +203,24 @@ std::vector<Parameter> read_parameters(const JsonPlace& list, FirstPaths& taken)
   return parameters;
 }
 
+NoiseLaw read_noise(const JsonPlace& place) {
+  place.expect_keys({"law", "freedom", "constant", "fraction", "below", "above"});
+  const std::string name = place.at("law").text();
+  const std::optional<NoiseForm> form = noise_form_named(name);
+  if (!form)
+    place.at("law").fail("the noise '" + name + "' is not known",
+                         "write constant, proportional, both, lognormal, poisson or student");
+  NoiseLaw law{.form = *form,
+               .constant = read_number(place, "constant"),
+               .fraction = read_number(place, "fraction"),
+               .below = read_number(place, "below"),
+               .above = read_number(place, "above")};
+  law.freedom = read_number(place, "freedom").value_or(law.freedom);
+  if (const std::string problem = law_problem(law); !problem.empty())
+    place.fail(problem, "mend its numbers");
+  return law;
+}
+
 /// @param taken names of inputs and parameters, not those of states.
 std::vector<Output> read_outputs(const JsonPlace& list, const OdeModel& model,
                                  FirstPaths taken) {
@@ -208,11 +228,12 @@ std::vector<Output> read_outputs(const JsonPlace& list, const OdeModel& model,
   std::vector<Output> outputs;
   for (std::size_t i = 0; i < list.size(); ++i) {
     const JsonPlace entry = list.at(i);
-    entry.expect_keys({"name", "expression", "unit"});
+    entry.expect_keys({"name", "expression", "unit", "noise"});
     const JsonPlace name = entry.at("name");
     check_quantity_name(name, name.text(), taken);
     outputs.push_back({name.text(), read_unit(entry, "unit").value_or(""),
                        read_formula(entry.at("expression"), variables)});
+    if (const auto noise = entry.find("noise")) outputs.back().noise = read_noise(*noise);
     if (const auto fault = output_fault(outputs.back(), variables))
       entry.fail("output " + name.text() + ": " + fault->problem, fault->remedy);
   }
@@ -236,6 +257,48 @@ std::vector<std::optional<InitialValue>> read_initial(const JsonPlace& object,
   return initial;
 }
 
+/// The guard of a condition "x > c".
+Expression read_guard(const JsonPlace& place, const VariableIndex& variables) {
+  const std::string text = place.text();
+  const auto sides = condition_sides(text);
+  if (!sides || sides->larger.empty() || sides->smaller.empty())
+    place.fail("'" + text + "' is no condition", "compare two formulas by one > or <");
+  try {
+    return parse_known(sides->larger, variables) - parse_known(sides->smaller, variables);
+  } catch (const ModelError& error) {
+    place.fail(error.problem(), error.remedy());
+  }
+}
+
+Event read_event(const JsonPlace& place, const VariableIndex& variables) {
+  place.expect_keys({"at", "every", "from", "until", "when", "set"});
+  Event event{.time = read_number(place, "at"),
+              .period = read_number(place, "every"),
+              .last = read_number(place, "until")};
+  if (event.period) event.time = read_number(place, "from").value_or(0.0);
+  if (const auto condition = place.find("when")) event.guard = read_guard(*condition, variables);
+  const JsonPlace set = place.at("set");
+  for (const std::string& name : set.keys()) {
+    state_named(set.at(name), name, variables);
+    event.resets.push_back({name, read_formula(set.at(name), variables)});
+  }
+  return event;
+}
+
+OdeModel with_events(const JsonPlace& list, const OdeModel& model) {
+  const VariableIndex variables(model.variables());
+  std::vector<Event> events;
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    events.push_back(read_event(list.at(i), variables));
+    try {
+      model.with_events({events.back()});
+    } catch (const ModelError& error) {
+      list.at(i).fail(error.problem(), error.remedy());
+    }
+  }
+  return model.with_events(std::move(events));
+}
+
 /// A description is a comment.
 void check_description(const JsonPlace& place) {
   if (const auto fault = comment_fault(place.text())) place.fail(fault->problem, fault->remedy);
@@ -256,7 +319,7 @@ OdeModel with_time(const JsonPlace& root, const OdeModel& model) {
 
 SystemModel read_document(const JsonPlace& root) {
   root.expect_keys({"format", "description", "time_unit", "time", "states", "inputs",
-                    "equations", "parameters", "outputs", "initial"});
+                    "equations", "parameters", "outputs", "initial", "events"});
   check_format(root);
   if (const auto description = root.find("description")) check_description(*description);
   FirstPaths taken;
@@ -279,7 +342,9 @@ SystemModel read_document(const JsonPlace& root) {
     model = model.with_outputs(read_outputs(*list, model, std::move(taken)));
   if (const auto object = root.find("initial"))
     model = model.with_initial(read_initial(*object, model));
-  return {with_time(root, model), std::move(parameters)};
+  model = with_time(root, model);
+  if (const auto list = root.find("events")) model = with_events(*list, model);
+  return {std::move(model), std::move(parameters)};
 }
 
 }  // namespace

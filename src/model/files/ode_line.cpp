@@ -7,6 +7,7 @@
 #include "core/base/names.hpp"
 #include "core/base/text.hpp"
 #include "lacuna/core/base/error.hpp"
+#include "lacuna/model/equations/noise_law.hpp"
 
 namespace lacuna {
 namespace {
@@ -15,7 +16,7 @@ namespace {
 constexpr std::array<std::string_view, 5> kBehindValues = {"fixed", "in", "deviation",
                                                            "per_record", "at"};
 /// What no value goes on with, whether a blank stands in front of it or not.
-constexpr std::string_view kDeviation = "+-";
+constexpr std::array<std::string_view, 2> kDeviations = {"+-", "*/"};
 
 bool is_word_character(char c) {
   const std::array<char, 2> word{'x', c};
@@ -125,8 +126,36 @@ std::string_view OdeLine::formula_until(std::size_t end) {
 
 std::string_view OdeLine::formula() { return formula_until(text_.size()); }
 
+std::string_view OdeLine::formula_before(char c) {
+  const std::size_t end = text_.find(c, position_);
+  if (end == std::string_view::npos)
+    fail(std::string("'") + c + "' is missing behind this",
+         "see the examples in docs/file-formats.md");
+  return formula_until(end);
+}
+
+std::optional<double> OdeLine::number() {
+  skip_blanks();
+  const std::size_t end = std::min(text_.find_first_of(" \t", position_), text_.size());
+  const std::optional<double> number = parse_number(text_.substr(position_, end - position_));
+  if (number) position_ = end;
+  return number;
+}
+
+/// Where " noise LAW" begins; a variable may be called noise as well.
+std::size_t OdeLine::begin_of_noise() const {
+  constexpr std::string_view kNoise = " noise ";
+  for (std::size_t at = text_.find(kNoise, position_); at != std::string_view::npos;
+       at = text_.find(kNoise, at + 1)) {
+    const std::string_view behind = trim(text_.substr(at + kNoise.size()));
+    const auto end = std::find_if_not(behind.begin(), behind.end(), is_word_character);
+    if (noise_form_named({behind.begin(), end})) return at;
+  }
+  return text_.size();
+}
+
 std::string_view OdeLine::formula_before_unit() {
-  return formula_until(std::min(text_.find('[', position_), text_.size()));
+  return formula_until(std::min({text_.find('[', position_), begin_of_noise(), text_.size()}));
 }
 
 std::string_view OdeLine::value() {
@@ -134,7 +163,9 @@ std::string_view OdeLine::value() {
   std::size_t end = begin;
   for (; end < text_.size() && text_[end] != '['; ++end) {
     position_ = end;
-    if (text_.substr(end, kDeviation.size()) == kDeviation) break;
+    if (std::find(kDeviations.begin(), kDeviations.end(), text_.substr(end, 2)) !=
+        kDeviations.end())
+      break;
     const bool starts_word = end == begin || !is_word_character(text_[end - 1]);
     if (starts_word && text_[end] != ' ' &&
         std::any_of(kBehindValues.begin(), kBehindValues.end(),

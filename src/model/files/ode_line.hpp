@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -37,7 +38,13 @@ class OdeLine {
   /// A formula up to the end.
   std::string_view formula();
 
-  /// A formula up to a unit or the end.
+  /// A formula up to a character. @throws ModelError where it is missing.
+  std::string_view formula_before(char c);
+
+  /// The next number, which ends at a blank; nothing where there is none.
+  std::optional<double> number();
+
+  /// A formula up to a unit, the law of a noise, or the end.
   std::string_view formula_before_unit();
 
   /// A formula up to a unit, a word that may stand behind a value, or the end.
@@ -47,7 +54,7 @@ class OdeLine {
   std::string place() const { return place_at(position_); }
   std::string place_of(std::string_view part) const;
 
-  std::size_t number() const { return number_; }
+  std::size_t line_number() const { return number_; }
 
   [[noreturn]] void fail(const std::string& problem, const std::string& remedy) const;
 
@@ -57,6 +64,7 @@ class OdeLine {
   std::string checked_unit(std::string_view text) const;
   std::size_t position_in(std::string_view part) const;
   std::string_view formula_until(std::size_t end);
+  std::size_t begin_of_noise() const;
   std::string place_at(std::size_t position) const;
 
   std::string_view text_;

@@ -15,23 +15,19 @@
 #include "model/equations/known_formula.hpp"
 #include "model/equations/linear_terms.hpp"
 #include "model/equations/output_fault.hpp"
-#include "model/expressions/formula_error.hpp"
 #include "model/expressions/operations.hpp"
+#include "ode_event.hpp"
 #include "ode_line.hpp"
+#include "written_formula.hpp"
 
 namespace lacuna {
 namespace {
 
-/// A right-hand side before all names are known.
-struct WrittenEquation {
-  std::string_view formula;
-  std::string place;  ///< of the formula, "m.ode:3:11"
-};
-
 /// An output before all names are known.
 struct WrittenOutput {
   std::string name, unit;
-  WrittenEquation formula;
+  WrittenFormula formula;
+  std::optional<NoiseLaw> noise = {};
 };
 
 /// "initial x = ..." and "fixed dx/dt: ..." before all states are known.
@@ -42,7 +38,7 @@ struct WrittenInitial {
 };
 struct WrittenChoice {
   std::string state;
-  WrittenEquation term;
+  WrittenFormula term;
   std::size_t line;
   bool fixed;
 };
@@ -72,37 +68,18 @@ struct Statements {
   std::vector<Quantity> states = {}, inputs = {};
   std::vector<Parameter> parameters = {};
   std::map<std::string, Expression> values = {};  ///< of the parameters
-  std::unordered_map<std::string, WrittenEquation> equations = {};
+  std::unordered_map<std::string, WrittenFormula> equations = {};
   std::vector<WrittenOutput> outputs = {};
   std::vector<WrittenInitial> initial = {};
   std::vector<WrittenChoice> choices = {};
+  std::vector<WrittenEvent> events = {};
   std::unordered_map<std::string, std::size_t> number_of_state = {};
   FirstLines first = {};
 };
 
-/// "m.ode:3" and the column of a formula's place, moved by a column inside the formula.
-std::string moved_place(const std::string& place, std::size_t column) {
-  const std::size_t colon = place.rfind(':');
-  return place.substr(0, colon + 1) +
-         std::to_string(std::stoul(place.substr(colon + 1)) + column - 1);
-}
-
 void take_name(const OdeLine& line, const std::string& name, Statements& said) {
-  said.first.add("the name '" + name + "'", line.number(), line.place(),
+  said.first.add("the name '" + name + "'", line.line_number(), line.place(),
                  "give every state, input and parameter a name of its own");
-}
-
-/// What `parse` makes of a formula; its errors say where in the text.
-template <class Parse>
-auto read_formula(const WrittenEquation& written, const Parse& parse) {
-  const auto& [text, place] = written;
-  try {
-    return parse(text);
-  } catch (const FormulaError& error) {
-    throw ModelError(moved_place(place, error.column()), error.problem(), error.remedy());
-  } catch (const ModelError& error) {
-    throw ModelError(place, error.problem(), error.remedy());
-  }
 }
 
 /// A formula of parameters of earlier lines.
@@ -118,7 +95,7 @@ Expression parse_of_parameters(std::string_view text, const Statements& said) {
 }
 
 /// The number that a formula of parameters that are known already is.
-double value_of(const WrittenEquation& written, const Statements& said) {
+double value_of(const WrittenFormula& written, const Statements& said) {
   const Expression formula = read_formula(
       written, [&](std::string_view text) { return parse_of_parameters(text, said); });
   const std::optional<double> value = constant_value(substitute(formula, said.values));
@@ -183,6 +160,7 @@ void read_parameter(OdeLine& line, Statements& said) {
   const std::string place = line.place();
   parameter.value = read_value(line, said);
   if (line.take("+-")) parameter.deviation = read_value(line, said);
+  if (line.take("*/")) parameter.factor = read_value(line, said);
   parameter.unit = line.unit();
   if (line.take("in")) read_range(line, said, parameter);
   parameter.free = !line.take("fixed");
@@ -196,7 +174,7 @@ void read_parameter(OdeLine& line, Statements& said) {
 
 void read_initial(OdeLine& line, Statements& said) {
   const std::string place = line.place();
-  WrittenInitial initial{line.identifier("name of a state"), place, line.number(), {}};
+  WrittenInitial initial{line.identifier("name of a state"), place, line.line_number(), {}};
   line.expect('=');
   initial.value.value = read_value(line, said);
   line.unit();
@@ -210,13 +188,14 @@ void read_initial(OdeLine& line, Statements& said) {
 void read_output(OdeLine& line, const std::string& name, Statements& said) {
   if (!line.take("="))
     line.fail("'" + name + "' begins no statement",
-              "write time, input, state, param, initial, d(name)/dt = ..., name[n+1] = ... or "
-              "output = ...");
+              "write time, input, state, param, initial, at, every, when, d(name)/dt = ..., "
+              "name[n+1] = ... or output = ...");
   const std::string_view formula = line.formula_before_unit();
   const std::string place = line.place_of(formula);
-  said.first.add("the output '" + name + "'", line.number(), place,
+  said.first.add("the output '" + name + "'", line.line_number(), place,
                  "give every output a name of its own");
   said.outputs.push_back({name, line.unit(), {formula, place}});
+  if (line.take("noise")) said.outputs.back().noise = read_noise(line);
 }
 
 /// What stands on the left of an equation.
@@ -241,7 +220,7 @@ void read_choice(OdeLine& line, bool fixed, Statements& said) {
   line.expect(':');
   line.at_end();
   const std::string_view term = line.formula();
-  said.choices.push_back({left->state, {term, line.place_of(term)}, line.number(), fixed});
+  said.choices.push_back({left->state, {term, line.place_of(term)}, line.line_number(), fixed});
 }
 
 void read_equation(OdeLine& line, const LeftHandSide& left, Statements& said) {
@@ -254,19 +233,44 @@ void read_equation(OdeLine& line, const LeftHandSide& left, Statements& said) {
   line.expect('=');
   const std::string_view formula = line.formula();
   const std::string place = line.place_of(formula);
-  said.first.add("the equation of '" + name + "'", line.number(), place, "join their terms");
-  said.equations.emplace(name, WrittenEquation{formula, place});
+  said.first.add("the equation of '" + name + "'", line.line_number(), place, "join their terms");
+  said.equations.emplace(name, WrittenFormula{formula, place});
 }
 
 void read_time(OdeLine& line, Statements& said) {
-  said.first.add("the time unit", line.number(), line.place(), "keep one");
+  said.first.add("the time unit", line.line_number(), line.place(), "keep one");
   said.time_unit = line.time_unit();
 }
 
 void read_state(OdeLine& line, Statements& said) {
   const std::string name = line.identifier("name of a state");
-  said.first.add("the statement 'state " + name + "'", line.number(), line.place(), "keep one");
+  said.first.add("the statement 'state " + name + "'", line.line_number(), line.place(),
+                 "keep one");
   state_named(line, name, said).unit = line.unit();
+}
+
+/// The number of a time; what is estimated cannot be one.
+double read_event_time(const WrittenFormula& written, const Statements& said) {
+  const Expression formula = read_formula(
+      written, [&](std::string_view text) { return parse_of_parameters(text, said); });
+  for (const Parameter& parameter : said.parameters)
+    if (parameter.free && formula.variables().contains(parameter.name))
+      throw ModelError(written.place, "the time of an event cannot be estimated",
+                       "make " + parameter.name + " fixed, or write a condition: when t > " +
+                           parameter.name + ": ...");
+  return value_of(written, said);
+}
+
+/// An event, if the line is one.
+bool take_event(OdeLine& line, Statements& said) {
+  for (const char* word : {"at", "every", "when"}) {
+    if (!line.take_keyword(word)) continue;
+    said.events.push_back(read_event(line, word, [&](const WrittenFormula& written) {
+      return read_event_time(written, said);
+    }));
+    return true;
+  }
+  return false;
 }
 
 void read_statement(OdeLine& line, Statements& said) {
@@ -284,7 +288,7 @@ void read_statement(OdeLine& line, Statements& said) {
     read_choice(line, true, said);
   } else if (line.take_keyword("free")) {
     read_choice(line, false, said);
-  } else {
+  } else if (!take_event(line, said)) {
     const std::string name = line.identifier("statement");
     if (const std::optional<LeftHandSide> left = take_left_hand_side(name, line))
       read_equation(line, *left, said);
@@ -374,7 +378,8 @@ OdeModel with_outputs(const Statements& said, const OdeModel& model) {
     outputs.push_back(
         {output.name, output.unit, read_formula(output.formula, [&](std::string_view text) {
            return parse_known(text, variables);
-         })});
+         }),
+         output.noise});
     if (const auto fault = output_fault(outputs.back(), variables))
       throw ModelError(output.formula.place, "output " + output.name + ": " + fault->problem,
                        fault->remedy);
@@ -414,7 +419,8 @@ SystemModel parse_ode_system(std::string_view bytes, const std::string& source) 
   mark_fixed(said, SystemModel(frame, said.parameters), equations);
   const OdeModel model = frame.with_equations(std::move(equations))
                              .with_evolution(said.evolution.value_or(Evolution::Flow));
-  return {with_initial(said, with_outputs(said, model)), said.parameters};
+  return {with_events(said.events, with_initial(said, with_outputs(said, model))),
+          said.parameters};
 }
 
 OdeModel parse_ode(std::string_view bytes, const std::string& source) {

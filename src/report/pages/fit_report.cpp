@@ -77,9 +77,20 @@ Json residuals_json(const FitQuality& quality) {
           {"shown_by", quality.sign}};
 }
 
+/// A law of noise with its sizes.
+Json law_json(const NoiseLaw& law) {
+  Json json{{"law", to_string(law.form)}};
+  if (law.form == NoiseForm::Student) json["freedom"] = law.freedom;
+  if (law.constant) json["constant"] = *law.constant;
+  if (law.fraction) json["fraction"] = *law.fraction;
+  if (law.below) json["below"] = *law.below;
+  if (law.above) json["above"] = *law.above;
+  return json;
+}
+
 Json quality_json(const std::vector<FitQuality>& channels, Index ahead) {
   Json list = Json::array();
-  for (const FitQuality& quality : channels)
+  for (const FitQuality& quality : channels) {
     list.push_back({{"channel", quality.channel},
                     {"unit", quality.unit},
                     {"samples", quality.samples},
@@ -94,6 +105,10 @@ Json quality_json(const std::vector<FitQuality>& channels, Index ahead) {
                     {"white", quality.white},
                     {"structure_sigma", number_json(quality.structure)},
                     {"residuals", residuals_json(quality)}});
+    if (!quality.law) continue;
+    list.back()["noise_law"] = law_json(*quality.law);
+    list.back()["censored"] = quality.censored;
+  }
   return list;
 }
 
@@ -194,6 +209,17 @@ std::string residuals_text(const FitQuality& quality) {
              : "too few samples to distinguish residuals from noise";
 }
 
+/// The law with three digits of its sizes, and how many values are limits.
+std::string law_text(const FitQuality& quality) {
+  const NoiseLaw& law = *quality.law;
+  std::string text = to_string(law.form) + " noise";
+  for (const std::optional<double>& size : {law.constant, law.fraction})
+    if (size) text += " " + format_number(*size, 3);
+  if (quality.censored > 0)
+    text += " (" + std::to_string(quality.censored) + " values beyond a limit)";
+  return text;
+}
+
 std::string quality_text(const FitQuality& quality, Index ahead) {
   if (quality.samples == 0) return "no sample was compared";
   return "rmse " + format_number(quality.rmse, 4) +
@@ -205,7 +231,9 @@ std::string quality_text(const FitQuality& quality, Index ahead) {
          (std::isfinite(quality.prediction) ? format_number(quality.prediction, 4)
           : quality.predicted == 0          ? "nothing to compare"
                                             : "no finite prediction") +
-         (quality.noise > 0.0 ? ", noise " + format_number(quality.noise, 3) : "") +
+         (quality.law              ? ", " + law_text(quality)
+          : quality.noise > 0.0 ? ", noise " + format_number(quality.noise, 3)
+                                : "") +
          ", " + residuals_text(quality);
 }
 
@@ -229,6 +257,7 @@ std::string format_json(const Fit& fit) {
         {{"first", pair.first}, {"second", pair.second}, {"correlation", pair.correlation}});
   json["initial"] = initial_json(fit);
   json["fit"] = quality_json(fit.quality, fit.prediction);
+  json["log_likelihood"] = number_json(fit.log_likelihood);
   json["adequacy"] = adequacy_json(fit.adequacy);
   const FitStanding standing = standing_of(fit);
   json["verdict"] = {{"sound", standing.is_sound()},
@@ -269,6 +298,8 @@ std::string format_text(const Fit& fit) {
     out << "\n";
   }
   write_quality("Free run", fit.quality, fit.prediction, out);
+  if (std::isfinite(fit.log_likelihood) && !fit.runs.empty())
+    out << "  log-likelihood " << format_number(fit.log_likelihood, 7) << "\n";
   if (fit.gap) {
     write_quality("Free run of held-out records", fit.gap->channels, fit.prediction, out);
     out << "  gap " << format_number(fit.gap->before, 3) << " -> "

@@ -63,6 +63,7 @@ void check_problem(const PlanProblem& problem) {
     require(names.insert(model.name).second, model.name, "two models have this name",
             "give each a name of its own");
     check_flow(model.system.symbolic(), "plan");
+    check_no_events(model.system.symbolic(), "plan");
   }
   for (const PlanStart& start : problem.starts)
     require(start.low <= start.high && std::isfinite(start.high - start.low) &&

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <utility>
 
 #include "core/base/text.hpp"
@@ -124,6 +125,7 @@ SystemModel with_numbers(const SystemModel& system, const ParametrisedModel& mod
     numbers[i].unit = parameter.unit;
     parameter.value = numbers[i].value;
     parameter.deviation.reset();  // what was known before is part of the estimate now
+    parameter.factor.reset();
     parameter.standard_error = numbers[i].standard_error;
     parameter.ci95 = numbers[i++].ci95;
   }
@@ -164,6 +166,15 @@ std::string note_of(const FitQuality& quality) {
   return "";
 }
 
+/// The log-likelihood of all values.
+double total_of(const std::vector<FitRun>& runs) {
+  double total = 0.0;
+  for (const FitRun& run : runs)
+    for (const double likelihood : run.log_likelihood.reshaped())
+      if (std::isfinite(likelihood)) total += likelihood;
+  return total;
+}
+
 std::vector<std::string> notes_of(const Fit& fit) {
   std::vector<std::string> notes;
   if (!fit.converged)
@@ -176,6 +187,7 @@ std::vector<std::string> notes_of(const Fit& fit) {
   if (fit.starts > 1)
     notes.push_back(std::to_string(fit.agreeing) + " of " + std::to_string(fit.starts) +
                     " searches came to the same numbers");
+  if (const std::string line = left_out_line(fit.stages); !line.empty()) notes.push_back(line);
   return notes;
 }
 
@@ -190,6 +202,49 @@ Matrix usual_states(const FitPath& path) {
   return usual;
 }
 
+/// The law of each channel that has one, and how many values are limits only.
+void add_laws(const FitEngine& engine, std::vector<FitQuality>& quality) {
+  for (std::size_t c = 0; c < quality.size(); ++c) {
+    const auto channel = static_cast<Index>(c);
+    const Matrix& known = engine.records.deviations;
+    if (known.size() > 0 && known.col(channel).maxCoeff() > 0.0) quality[c].sizes = 0;
+    if (!engine.laws[c]) continue;
+    const NoiseLaw& given = engine.laws[c]->law();
+    quality[c].law = engine.laws[c]->sized();
+    quality[c].sizes = (has_constant(given.form) && !given.constant ? 1 : 0) +
+                       (has_fraction(given.form) && !given.fraction ? 1 : 0);
+    for (Index n = 0; n < engine.records.samples(); ++n)
+      if (engine.records.valid(n, channel) > 0.0 && !is_value(engine, n, channel))
+        ++quality[c].censored;
+  }
+}
+
+/// Log-likelihoods of the values of one record, n x c: NaN for what is no value. A channel
+/// without a law is normal with the mean square of its residuals.
+Matrix likelihoods_of(const FitEngine& engine, const FitPath& path, Index record) {
+  const Index first = engine.records.first(record), n = engine.records.end(record) - first;
+  Matrix all = Matrix::Constant(n, engine.count(), std::numeric_limits<double>::quiet_NaN());
+  for (Index c = 0; c < engine.count(); ++c) {
+    const auto& law = engine.laws[static_cast<std::size_t>(c)];
+    const double count = engine.records.valid.col(c).sum();
+    const double variance = std::max(path.residuals.col(c).squaredNorm() / count,
+                                     std::numeric_limits<double>::min());
+    for (Index i = 0; i < n; ++i) {
+      if (engine.records.valid(first + i, c) == 0.0) continue;
+      const double value = engine.records.values(first + i, c),
+                   residual = path.residuals(first + i, c);
+      const bool known =
+          engine.records.deviations.size() > 0 && engine.records.deviations(first + i, c) > 0.0;
+      const double own =
+          known ? std::pow(engine.records.deviations(first + i, c), 2) : variance;
+      all(i, c) = law ? law->log_likelihood(value, value - residual)
+                      : -0.5 * (std::log(2.0 * std::numbers::pi * own) +
+                                residual * residual / own);
+    }
+  }
+  return all;
+}
+
 std::vector<FitRun> runs_of(const FitEngine& engine, const FitPath& path) {
   constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
   std::vector<FitRun> runs;
@@ -197,7 +252,8 @@ std::vector<FitRun> runs_of(const FitEngine& engine, const FitPath& path) {
     const Index first = engine.records.first(r), n = engine.records.end(r) - first;
     FitRun run{engine.records.sources[static_cast<std::size_t>(r)],
                engine.records.series.time.segment(first, n),
-               engine.records.values.middleRows(first, n), Matrix()};
+               engine.records.values.middleRows(first, n), Matrix(),
+               likelihoods_of(engine, path, r)};
     run.model = run.measured - path.residuals.middleRows(first, n);
     for (Index c = 0; c < engine.count(); ++c)
       for (Index i = 0; i < n; ++i)
@@ -275,7 +331,9 @@ FitData usable(const SystemModel& system, const Dataset& records,
   check_known(options.noise, records, "fit");
   const std::optional<double> begin =
       options.start_time ? options.start_time : system.symbolic().initial_time();
-  FitData all{begun_at(records, begin), begun_at(held_out_records, begin)};
+  const OdeModel& model = system.symbolic();
+  FitData all{with_event_rows(begun_at(records, begin), model),
+              with_event_rows(begun_at(held_out_records, begin), model)};
   if (!all.held_out.trajectories.empty()) check_is_view(system.model(), all.held_out);
   check_columns(all.held_out, "fit");
   check_number_range(all.data);
@@ -316,7 +374,9 @@ Fit fit(const SystemModel& system, const Dataset& records, const Dataset& held_o
         const FitOptions& options, const RunContext& context) {
   const auto [data, held_out] = usable(system, records, held_out_records, options);
   const ParametrisedModel model = system.parametrised();
-  FitEngine engine = fit_engine(model, fit_records(model, data, options.noise));
+  FitRecords seen = fit_records(model, data, options.noise);
+  add_deviations(data, options.deviations, seen);
+  FitEngine engine = fit_engine(model, std::move(seen));
   const FitUnknowns unknowns = fit_unknowns(model, local_parameters(system, model));
   check_enough(engine, unknowns);
   const FitPoint start{model.values().transpose().replicate(engine.records.records(), 1),
@@ -341,6 +401,7 @@ Fit fit(const SystemModel& system, const Dataset& records, const Dataset& held_o
   best = known.minimum;
   const FitErrors& errors = known.errors;
   result.quality = quality_of(engine, best.point, best.path, options.prediction, 0);
+  add_laws(engine, result.quality);
   result.adequacy = adequacy_of_run(engine, unknowns, best, context.seed, result.quality);
   result.numbers = numbers_of(engine, unknowns, known);
   result.model = with_numbers(system, model, result.numbers);
@@ -358,13 +419,14 @@ Fit fit(const SystemModel& system, const Dataset& records, const Dataset& held_o
   if (!held_out.trajectories.empty())
     result.gap = gap_of(model, best.point, held_out, usual_states(best.path), options);
   result.notes = notes_of(result);
-  if (const std::string line = left_out_line(result.stages); !line.empty())
-    result.notes.push_back(line);
   if (!held_out.trajectories.empty() && !result.gap) result.notes.push_back(no_gap(options));
   if (const std::string note = start_note(system, data); !note.empty())
     result.notes.push_back(note);
-  result.notes.insert(result.notes.end(), data.notes.begin(), data.notes.end());
+  const std::vector<std::string>& left_out = engine.records.notes;
+  for (const auto* notes : {&data.notes, &left_out})
+    result.notes.insert(result.notes.end(), notes->begin(), notes->end());
   result.runs = runs_of(engine, best.path);
+  result.log_likelihood = total_of(result.runs);
   return result;
 }
 

@@ -37,13 +37,15 @@ void drop_known(const FitUnknowns& unknowns, Eigen::Ref<Matrix> rows) {
 }
 
 /// Takes out the parameters of which more was known before than all records show.
-void drop_known_parameters(const FitUnknowns& unknowns, Matrix& rows) {
+void drop_known_parameters(const FitUnknowns& unknowns, const FitPoint& point, Matrix& rows) {
   const auto first = rows.cols() - static_cast<Index>(unknowns.global.size());
   for (Index i = 0; first + i < rows.cols(); ++i) {
-    const auto& prior = unknowns.priors[static_cast<std::size_t>(
-        unknowns.global[static_cast<std::size_t>(i)])];
+    const Index p = unknowns.global[static_cast<std::size_t>(i)];
+    const auto& prior = unknowns.priors[static_cast<std::size_t>(p)];
+    if (!prior) continue;
     auto column = rows.col(first + i);
-    if (prior && column.norm() * prior->tolerance < 1.0) column.setZero();
+    const double scale = prior->logarithmic ? point.parameters(0, p) : 1.0;
+    if (column.norm() * prior->tolerance * scale < 1.0) column.setZero();
   }
 }
 
@@ -63,7 +65,7 @@ void add_record(FitEngine& engine, const FitUnknowns& unknowns, const FitMinimum
   Index row = all.begins.back();
   const auto visit = [&](Index n, const Matrix& rows, const Vector& residual) {
     for (Index c = 0; c < engine.count(); ++c) {
-      if (engine.records.valid(n, c) == 0.0) continue;
+      if (!is_value(engine, n, c)) continue;
       for (std::size_t j = 0; j < order.size(); ++j)
         all.rows(row, static_cast<Index>(j)) =
             free[static_cast<std::size_t>(order[j])] ? rows(c, order[j]) : 0.0;
@@ -72,7 +74,7 @@ void add_record(FitEngine& engine, const FitUnknowns& unknowns, const FitMinimum
       sequences[static_cast<std::size_t>(c)].rows.push_back(row++);
     }
   };
-  sensitivities(engine, minimum.point, minimum.path, {}, record, visit);
+  sensitivities(engine, minimum.point, minimum.path, {}, record, visit, Whitening::Pearson);
   drop_known(unknowns, all.rows.middleRows(all.begins.back(), row - all.begins.back()));
   all.begins.push_back(row);
   for (ResidualSequence& sequence : sequences)
@@ -91,14 +93,16 @@ Adequate judged(const FitQuality& quality, double level) {
 MinimumResiduals residuals_of(FitEngine& engine, const FitUnknowns& unknowns,
                               const FitMinimum& minimum) {
   const std::vector<Index> order = column_order(engine, unknowns);
-  const auto count = static_cast<Index>(engine.records.valid.sum());
+  Index count = 0;
+  for (Index n = 0; n < engine.records.samples(); ++n)
+    for (Index c = 0; c < engine.count(); ++c) count += is_value(engine, n, c) ? 1 : 0;
   LinearRows all{Matrix(count, static_cast<Index>(order.size())), {0}, {}};
   all.residuals.residual.resize(count);
   all.residuals.model.resize(count);
   all.residuals.channels = engine.count();
   for (Index r = 0; r < engine.records.records(); ++r)
     add_record(engine, unknowns, minimum, r, order, all);
-  drop_known_parameters(unknowns, all.rows);
+  drop_known_parameters(unknowns, minimum.point, all.rows);
   const Index own = engine.states() + static_cast<Index>(unknowns.local.size());
   FittedDirections directions(all.rows, std::move(all.begins), own);
   return {std::move(all.residuals), std::move(directions)};

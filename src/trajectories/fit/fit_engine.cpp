@@ -6,6 +6,7 @@
 #include <limits>
 #include <utility>
 
+#include "fit_steps.hpp"
 #include "lacuna/dynamics/integration/butcher_tableau.hpp"
 
 namespace lacuna {
@@ -17,115 +18,30 @@ std::vector<Expression> formulas_of(const FitRecords& records) {
   return formulas;
 }
 
-/// A point of Rates at the begin of a step.
-void fill_slots(const FitEngine& engine, Index step, const double* x,
-                std::vector<double>& slots) {
-  std::copy_n(x, engine.states(), slots.data());
-  engine.rates.fill_signals(engine.signals.stages[0].data() + step,
-                            engine.signals.lengths.size(), slots.data());
-}
-
-/// Working memory of one pass along a record.
-struct RunScratch {
-  explicit RunScratch(const FitEngine& engine)
-      : slots(static_cast<std::size_t>(engine.rates.slots())),
-        slopes(engine.states(), engine.signals.scheme.tableau->stages()),
-        model(engine.count()) {}
-  std::vector<double> slots;
-  Matrix slopes;
-  Vector model;
-};
-
-/// Residuals at a sample; 0 where there is no value.
-void compare(FitEngine& engine, Index sample, const Vector& x, RunScratch& scratch,
-             Matrix& residuals) {
-  fill_slots(engine, sample * engine.signals.scheme.substeps, x.data(), scratch.slots);
-  engine.channels.values(scratch.slots.data(), scratch.model.data());
-  for (Index c = 0; c < engine.count(); ++c)
-    residuals(sample, c) = engine.records.valid(sample, c) > 0.0
-                               ? engine.records.values(sample, c) - scratch.model[c]
-                               : 0.0;
-}
-
-void correct(const Gains& gains, Index sample, const Matrix& residuals, Vector& x) {
-  if (gains.size() == 0) return;
-  for (Index c = 0; c < residuals.cols(); ++c)
-    for (Index k = 0; k < x.size(); ++k)
-      x[k] += gains(sample, c * x.size() + k) * residuals(sample, c);
-}
-
-/// Goes to the next sample by implicit steps; x is not a number where there are none.
-/// @param sensitivity as of RadauFlow::advance().
-void advance_implicitly(FitEngine& engine, Index sample, Vector& x,
-                        Matrix* sensitivity = nullptr) {
-  const std::vector<Index>& begins = engine.records.series.begins;
-  const auto record =
-      std::upper_bound(begins.begin(), begins.end(), sample) - begins.begin() - 1;
-  const auto r = static_cast<std::size_t>(record);
-  DrivingSignals& driving = engine.implicit->signals[r];
-  const Index i = sample - begins[r];
-  const double t0 = driving.time()[i], t1 = driving.time()[i + 1];
-  std::vector<double> signals(static_cast<std::size_t>(driving.size()));
-  const auto drive = [&](double t, double* slots) {
-    driving.at({i, t0, t1 - t0}, (t - t0) / (t1 - t0), signals.data());
-    engine.rates.fill_signals(signals.data(), 1, slots);
-  };
-  if (!engine.implicit->flow.advance(engine.rates, drive, t0, t1, x, sensitivity))
-    x.setConstant(std::numeric_limits<double>::quiet_NaN());
-}
-
-/// Errors of implicit steps, as fractions of the states: so far below the noise that the sum of
-/// squares, which profiles compare, is exact to less than a hundredth. Ten times larger ones
-/// are not (1 % of noise, 800 values), ten times smaller ones take nearly twice the time.
-double tolerance_of(const FitEngine& engine) {
-  constexpr double kOfNoise = 1e-5, kCoarsest = 1e-7;
-  double least = kCoarsest / kOfNoise;
-  for (Index c = 0; c < engine.count(); ++c)
-    least = std::min(
-        least, engine.sigma[c] / engine.records.channels[static_cast<std::size_t>(c)].spread);
-  return std::clamp(kOfNoise * least, RadauFlow::kTolerance, kCoarsest);
-}
-
-/// A path begins: what implicit steps know of another one must not decide on its steps.
-void begin_path(FitEngine& engine) {
-  if (engine.implicit) engine.implicit->flow.begin(tolerance_of(engine));
-}
-
-/// Goes to the next sample, keeping the states of all stages.
-void advance(FitEngine& engine, Index sample, Vector& x, RunScratch& scratch,
-             std::vector<Matrix>& stages) {
-  if (engine.implicit) return advance_implicitly(engine, sample, x);
-  const ButcherTableau& tableau = *engine.signals.scheme.tableau;
-  const Index substeps = engine.signals.scheme.substeps, steps = engine.signals.lengths.size();
-  for (Index step = sample * substeps; step < (sample + 1) * substeps; ++step) {
-    const double h = engine.signals.lengths[step];
-    for (Index a = 0; a < tableau.stages(); ++a) {
-      const auto stage = static_cast<std::size_t>(a);
-      Eigen::Map<Vector> moved(scratch.slots.data(), x.size());
-      moved = x;
-      for (Index d = 0; d < a; ++d)
-        if (const double weight = tableau.a[stage][static_cast<std::size_t>(d)]; weight != 0.0)
-          moved += h * weight * scratch.slopes.col(d);
-      stages[stage].row(step) = moved.transpose();
-      engine.rates.fill_signals(engine.signals.stages[stage].data() + step, steps,
-                                scratch.slots.data());
-      engine.rates.rate(scratch.slots.data(), scratch.slopes.col(a).data());
-    }
-    for (Index a = 0; a < tableau.stages(); ++a)
-      x += h * tableau.weights[static_cast<std::size_t>(a)] * scratch.slopes.col(a);
+/// -2 log-likelihood of a channel with a law, less what depends on the measured values alone.
+double loss_of(const FitEngine& engine, const FitPath& path, Index channel) {
+  const ChannelNoise& law = *engine.laws[static_cast<std::size_t>(channel)];
+  double loss = 0.0;
+  for (Index n = 0; n < path.residuals.rows(); ++n) {
+    if (engine.records.valid(n, channel) == 0.0) continue;
+    const double value = engine.records.values(n, channel);
+    loss += law.score(value, value - path.residuals(n, channel)).loss - law.offset(value);
   }
-}
-
-FitPath empty_path(const FitEngine& engine) {
-  const Index n = engine.records.samples(), m = engine.states();
-  return {Matrix::Zero(n, m), Matrix::Zero(n, engine.count()),
-          std::vector<Matrix>(engine.signals.stages.size(),
-                              Matrix::Zero(engine.signals.lengths.size(), m)),
-          0.0};
+  return loss;
 }
 
 double cost_of(const FitEngine& engine, const FitPath& path) {
-  const double cost = (path.residuals * engine.sigma.cwiseInverse().asDiagonal()).squaredNorm();
+  double cost = 0.0;
+  for (Index c = 0; c < engine.count(); ++c) {
+    if (engine.laws[static_cast<std::size_t>(c)]) {
+      cost += loss_of(engine, path, c);
+    } else if (engine.records.deviations.size() == 0) {
+      cost += (path.residuals.col(c) / engine.sigma[c]).squaredNorm();
+    } else {
+      for (Index n = 0; n < path.residuals.rows(); ++n)
+        cost += std::pow(path.residuals(n, c) / deviation_of(engine, n, c), 2);
+    }
+  }
   const bool finite = path.states.allFinite() && std::isfinite(cost);
   return finite ? cost : std::numeric_limits<double>::infinity();
 }
@@ -153,22 +69,32 @@ Matrix advance_with_transition(FitEngine& engine, Index sample, Vector& x, RunSc
 
 /// One sample taken into the covariance of a filter; gives the gain, m x c. A channel that is
 /// more exact than the rounding of the covariance leaves is taken for no better than that.
-Matrix take_in(const FitEngine& engine, Index sample, const Matrix& by_state,
-               Matrix& covariance) {
+Matrix take_in(const FitEngine& engine, Index sample, const Matrix& residuals,
+               const Matrix& by_state, Matrix& covariance) {
   constexpr double kExact = 1e-10;  // of a variance: its rounding makes 1e-6 of a gain then
   Matrix gain = Matrix::Zero(engine.states(), engine.count());
   Vector noise = engine.sigma.cwiseAbs2();
   for (Index c = 0; c < engine.count(); ++c) {
-    if (engine.records.valid(sample, c) == 0.0) continue;
+    if (!is_value(engine, sample, c)) continue;
+    noise[c] = std::pow(deviation_of(engine, sample, c), 2);
+    if (const auto& law = engine.laws[static_cast<std::size_t>(c)])
+      noise[c] = std::pow(
+          law->deviation(engine.records.values(sample, c) - residuals(sample, c)), 2);
     const Vector towards = covariance * by_state.row(c).transpose();
     const double known = by_state.row(c).dot(towards);
     noise[c] = std::max(noise[c], kExact * known);
     covariance -= towards * towards.transpose() / (known + noise[c]);
   }
   for (Index c = 0; c < engine.count(); ++c)
-    if (engine.records.valid(sample, c) > 0.0)
+    if (is_value(engine, sample, c))
       gain.col(c) = covariance * by_state.row(c).transpose() / noise[c];
   return gain;
+}
+
+void take_implicit_steps(FitEngine& engine) {
+  engine.implicit.emplace();
+  for (const DrivingSamples& samples : driving_samples(engine.records.series, engine.rates))
+    engine.implicit->signals.emplace_back(samples);
 }
 
 }  // namespace
@@ -183,12 +109,48 @@ FitEngine fit_engine(const ParametrisedModel& model, FitRecords records) {
     sigma[c] = std::max(channel.noise, 1e-3 * channel.spread);
     if (!(sigma[c] > 0.0)) sigma[c] = 1.0;
   }
-  return {model,
-          std::move(records),
-          std::move(rates),
-          std::move(channels),
-          std::move(signals),
-          std::move(sigma)};
+  FitEngine engine{model,
+                   std::move(records),
+                   std::move(rates),
+                   std::move(channels),
+                   std::move(signals),
+                   std::move(sigma)};
+  for (Index c = 0; c < engine.count(); ++c) {
+    const auto& law = engine.records.channels[static_cast<std::size_t>(c)].law;
+    const Vector values =
+        engine.records.values.col(c).cwiseProduct(engine.records.valid.col(c));
+    engine.laws.push_back(law ? std::optional(ChannelNoise(*law, engine.sigma[c], values))
+                              : std::nullopt);
+  }
+  if (!model.symbolic().events().empty()) engine.events.emplace(model);
+  if (engine.events && engine.events->has_guards()) take_implicit_steps(engine);
+  return engine;
+}
+
+double deviation_of(const FitEngine& engine, Index sample, Index channel) {
+  const Matrix& known = engine.records.deviations;
+  const double own = known.size() > 0 ? known(sample, channel) : 0.0;
+  return own > 0.0 ? own : engine.sigma[channel];
+}
+
+bool is_value(const FitEngine& engine, Index sample, Index channel) {
+  if (engine.records.valid(sample, channel) == 0.0) return false;
+  const auto& law = engine.laws[static_cast<std::size_t>(channel)];
+  return !law || law->censoring(engine.records.values(sample, channel)) == Censoring::None;
+}
+
+Matrix whitened(const FitEngine& engine, const FitPath& path) {
+  Matrix all = path.residuals;
+  for (Index c = 0; c < engine.count(); ++c)
+    for (Index n = 0; n < all.rows(); ++n) {
+      const auto& law = engine.laws[static_cast<std::size_t>(c)];
+      const double value = engine.records.values(n, c);
+      if (!law)
+        all(n, c) /= deviation_of(engine, n, c);
+      else if (engine.records.valid(n, c) > 0.0)
+        all(n, c) = law->pearson(value, value - path.residuals(n, c));
+    }
+  return all;
 }
 
 void set_substeps(FitEngine& engine, Index substeps) {
@@ -205,6 +167,7 @@ FitPath follow(FitEngine& engine, const FitPoint& point, const Gains& gains) {
     Vector x = point.starts.row(r).transpose();
     begin_path(engine);
     for (Index n = engine.records.first(r); n < engine.records.end(r); ++n) {
+      arrive(engine, n, x, path);
       path.states.row(n) = x.transpose();
       compare(engine, n, x, scratch, path.residuals);
       correct(gains, n, path.residuals, x);
@@ -261,9 +224,27 @@ class SensitivityPass {
 
 }  // namespace
 
+namespace {
+
+/// What rows of a channel are multiplied by, and its residual, at a sample.
+NoiseScore scale_of(const FitEngine& engine, Index n, Index c, double residual,
+                    Whitening whitening) {
+  const auto& law = engine.laws[static_cast<std::size_t>(c)];
+  const double sigma = deviation_of(engine, n, c);
+  if (!law) return {0.0, 1.0 / sigma, residual / sigma};
+  if (engine.records.valid(n, c) == 0.0) return {};
+  const double value = engine.records.values(n, c), y = value - residual;
+  if (whitening == Whitening::Likelihood) return law->score(value, y);
+  if (!is_value(engine, n, c)) return {};
+  return {0.0, 1.0 / law->deviation(y), law->pearson(value, y)};
+}
+
+}  // namespace
+
 void sensitivities(FitEngine& engine, const FitPoint& point, const FitPath& path,
                    const Gains& gains, Index record,
-                   FunctionRef<void(Index, const Matrix&, const Vector&)> visit) {
+                   FunctionRef<void(Index, const Matrix&, const Vector&)> visit,
+                   Whitening whitening) {
   const Index m = engine.states(), p = engine.parameters(), count = engine.count();
   const Index first = engine.records.first(record), end = engine.records.end(record);
   engine.rates.set(point.parameters.row(record).transpose());
@@ -273,6 +254,10 @@ void sensitivities(FitEngine& engine, const FitPoint& point, const FitPath& path
          by_parameter(count, p);
   s.leftCols(m).setIdentity();
   for (Index n = first; n < end; ++n) {
+    if (path.arrivals.rows() > 0) {
+      Vector arriving = path.arrivals.row(n).transpose();
+      jump(engine, n, arriving, &s);
+    }
     const Vector x = path.states.row(n).transpose();
     fill_slots(engine, n * engine.signals.scheme.substeps, x.data(), scratch.slots);
     engine.channels.derivatives(scratch.slots.data(), by_state, by_parameter);
@@ -285,9 +270,12 @@ void sensitivities(FitEngine& engine, const FitPoint& point, const FitPath& path
         s.noalias() -= gain * rows.row(c);
       }
     }
-    const Vector scale = engine.sigma.cwiseInverse();
-    rows = scale.asDiagonal() * rows;
-    const Vector residual = scale.cwiseProduct(path.residuals.row(n).transpose());
+    Vector residual(count);
+    for (Index c = 0; c < count; ++c) {
+      const NoiseScore scale = scale_of(engine, n, c, path.residuals(n, c), whitening);
+      rows.row(c) *= scale.weight;
+      residual[c] = scale.residual;
+    }
     visit(n, rows, residual);
     if (n + 1 < end) pass.carry(n, s);
   }
@@ -325,9 +313,7 @@ bool is_stiff(FitEngine& engine, const FitPoint& point, const FitPath& path) {
 
 void choose_method(FitEngine& engine, const FitPoint& point) {
   if (engine.implicit || !is_stiff(engine, point, follow(engine, point, {}))) return;
-  engine.implicit.emplace();
-  for (const DrivingSamples& samples : driving_samples(engine.records.series, engine.rates))
-    engine.implicit->signals.emplace_back(samples);
+  take_implicit_steps(engine);
   const FitPath path = follow(engine, point, {});
   if (!std::isfinite(path.cost) || !is_stiff(engine, point, path)) engine.implicit.reset();
 }
@@ -348,10 +334,15 @@ Gains filter_gains(FitEngine& engine, const FitPoint& point, const Disturbances&
     begin_path(engine);
     Matrix covariance = Matrix::Zero(m, m);
     for (Index n = engine.records.first(r); n < engine.records.end(r); ++n) {
+      Matrix jumped = Matrix::Identity(m, m);
+      Vector arriving = x;
+      jump(engine, n, arriving, &jumped);
+      covariance = (jumped * covariance * jumped.transpose()).eval();
+      arrive(engine, n, x, path);
       path.states.row(n) = x.transpose();
       compare(engine, n, x, scratch, path.residuals);
       engine.channels.derivatives(scratch.slots.data(), by_state, by_parameter);
-      const Matrix gain = take_in(engine, n, by_state, covariance);
+      const Matrix gain = take_in(engine, n, path.residuals, by_state, covariance);
       gains.row(n) = Eigen::Map<const Vector>(gain.data(), gain.size()).transpose();
       correct(gains, n, path.residuals, x);
       if (n + 1 == engine.records.end(r)) break;
@@ -378,7 +369,10 @@ Matrix prediction_errors(FitEngine& engine, const FitPoint& point, const Gains& 
       Vector x = filtered.states.row(from).transpose();
       correct(gains, from, filtered.residuals, x);
       begin_path(engine);
-      for (Index n = from; n < from + ahead; ++n) advance(engine, n, x, scratch, free.stages);
+      for (Index n = from; n < from + ahead; ++n) {
+        advance(engine, n, x, scratch, free.stages);
+        jump(engine, n + 1, x, nullptr);
+      }
       compare(engine, from + ahead, x, scratch, errors);
       compared += engine.records.valid.row(from + ahead).transpose();
     }

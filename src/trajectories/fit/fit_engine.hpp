@@ -5,11 +5,13 @@
 #include <optional>
 #include <vector>
 
-#include "channels.hpp"
 #include "fit_records.hpp"
 #include "lacuna/core/base/function_ref.hpp"
+#include "records/channels/channel_noise.hpp"
 #include "trajectories/sensitivities/radau.hpp"
 #include "trajectories/sensitivities/step_maps.hpp"
+#include "trajectories/windows/channels.hpp"
+#include "trajectories/windows/event_maps.hpp"
 
 namespace lacuna {
 
@@ -28,6 +30,9 @@ struct FitEngine {
   StageSignals signals;
   Vector sigma;                                ///< c: deviation by which residuals are divided
   std::optional<ImplicitSteps> implicit = {};  ///< in the place of equal explicit steps
+  std::optional<EventMaps> events = {};        ///< where the model has some
+  /// c: the law of a channel that has one; others are normal, their deviation is sigma.
+  std::vector<std::optional<ChannelNoise>> laws = {};
 
   Index states() const noexcept { return rates.dimension(); }    ///< m
   Index parameters() const noexcept { return rates.columns(); }  ///< P
@@ -35,6 +40,12 @@ struct FitEngine {
 };
 
 FitEngine fit_engine(const ParametrisedModel& model, FitRecords records);
+
+/// The deviation of a sample of a channel without a law: its own where it is known.
+double deviation_of(const FitEngine& engine, Index sample, Index channel);
+
+/// Whether a sample is a value, neither missing nor a limit.
+bool is_value(const FitEngine& engine, Index sample, Index channel);
 
 /// Integrates every sampling interval by so many steps of the Runge-Kutta method of order 4.
 void set_substeps(FitEngine& engine, Index substeps);
@@ -51,28 +62,42 @@ struct FitPoint {
 /// What a point gives.
 struct FitPath {
   Matrix states;               ///< N x m, before each sample is looked at
+  Matrix arrivals = {};        ///< N x m, before the events of a sample; empty without events
   Matrix residuals;            ///< N x c: measured - model, 0 where there is no value
   std::vector<Matrix> stages;  ///< per stage: states where f was evaluated, steps x m
-  double cost = 0.0;           ///< sum of (residual / sigma)^2; infinite where a path diverges
+  /// Sum of (residual / sigma)^2, or -2 log-likelihood of a law less a constant; infinite where
+  /// a path diverges.
+  double cost = 0.0;
 };
 
 /// How much of each residual is added to each state behind a sample: N x (m c), column
 /// c m + k; empty: the model runs freely.
 using Gains = Matrix;
 
+/// Residuals in deviations of the noise; 0 for what is no value. N x c.
+Matrix whitened(const FitEngine& engine, const FitPath& path);
+
 /// The model along the records: x_{n+1} = F(x_n + K_n (y_n - h(x_n))).
 FitPath follow(FitEngine& engine, const FitPoint& point, const Gains& gains);
 
 /// Takes implicit steps where the model is stiff: along its path with them explicit ones are
-/// unstable, as many as there may be in a sampling interval.
+/// unstable, as many as there may be in a sampling interval. Where events are set off by guards
+/// steps are implicit anyway.
 void choose_method(FitEngine& engine, const FitPoint& point);
+
+/// What rows and residuals are in deviations of.
+enum class Whitening {
+  Likelihood,  ///< their squares are those of the likelihood (NoiseScore)
+  Pearson      ///< residuals are those of the measured values, in their deviations
+};
 
 /// Calls `visit(n, rows, residual)` at every sample of a record with the derivatives of the c
 /// whitened model values by [initial states, parameters] and the whitened residuals; gains do
 /// not change with them.
 void sensitivities(FitEngine& engine, const FitPoint& point, const FitPath& path,
                    const Gains& gains, Index record,
-                   FunctionRef<void(Index, const Matrix&, const Vector&)> visit);
+                   FunctionRef<void(Index, const Matrix&, const Vector&)> visit,
+                   Whitening whitening = Whitening::Likelihood);
 
 /// Sizes of the disturbances that a filter allows for.
 struct Disturbances {

@@ -28,7 +28,7 @@ Sums sums_of(const FitEngine& engine, const FitPath& path, Index channel, Index 
              Index skip) {
   Sums sums;
   for (Index n = engine.records.first(record) + skip; n < engine.records.end(record); ++n) {
-    if (engine.records.valid(n, channel) == 0.0) continue;
+    if (!is_value(engine, n, channel)) continue;
     const double residual = path.residuals(n, channel),
                  value = engine.records.values(n, channel);
     ++sums.count;

@@ -5,9 +5,11 @@
 #include <cmath>
 
 #include "core/base/text.hpp"
+#include "dynamics/integration/event_stepper.hpp"
 #include "lacuna/core/base/error.hpp"
 #include "lacuna/data/records/marks.hpp"
 #include "lacuna/data/records/noise.hpp"
+#include "lacuna/dynamics/integration/record_input.hpp"
 #include "lacuna/records/binding/model_view.hpp"
 
 namespace lacuna {
@@ -86,8 +88,33 @@ double time_scale_of(const ShootingRecord& series, const Column& column, double 
   return best;
 }
 
+/// The law that the model has for a column: of the output of its name.
+std::optional<NoiseLaw> law_of(const OdeModel& model, const std::string& column) {
+  for (const Output& output : model.outputs())
+    if (output.name == column) return output.noise;
+  return std::nullopt;
+}
+
+/// Takes out what lognormal noise cannot make: values that are not above 0, but for those that
+/// are below a limit.
+void leave_out_impossible(FitRecords& records, Index c) {
+  const FitChannel& channel = records.channels[static_cast<std::size_t>(c)];
+  if (!channel.law || channel.law->form != NoiseForm::LogNormal || channel.law->below) return;
+  Index left_out = 0;
+  for (Index i = 0; i < records.values.rows(); ++i) {
+    if (records.valid(i, c) == 0.0 || records.values(i, c) > 0.0) continue;
+    records.valid(i, c) = 0.0;
+    ++left_out;
+  }
+  if (left_out > 0)
+    records.notes.push_back(std::to_string(left_out) + " values of " + channel.name +
+                            " are not above 0, which lognormal noise cannot make: they were left "
+                            "out (write `below LIMIT` where they are below a limit)");
+}
+
 void add_channel(const Dataset& view, Index column, const Expression& formula,
-                 const KnownNoise& known, FitRecords& records) {
+                 const KnownNoise& known, const std::optional<NoiseLaw>& law,
+                 FitRecords& records) {
   const Column samples = column_of(view, column);
   if (samples.valid.sum() < 2.0) return;
   const Quantity& quantity = view.states[static_cast<std::size_t>(column)];
@@ -100,7 +127,8 @@ void add_channel(const Dataset& view, Index column, const Expression& formula,
                                  : analyse_noise_of(view, column);
   records.channels.push_back({quantity.name, quantity.unit, formula,
                               noise.kind == NoiseKind::None ? 0.0 : noise.sigma,
-                              spread_of(samples)});
+                              spread_of(samples), law});
+  leave_out_impossible(records, c);
 }
 
 /// The measured state of which another is the rate by an identity of the model; -1: none.
@@ -164,7 +192,62 @@ Trajectory with_first_row(const Trajectory& record, double time) {
   return begun;
 }
 
+/// The record with one more row of no value in front of another.
+Trajectory with_row(const Trajectory& record, Index before, double time, const Vector& inputs) {
+  const auto extended = [&](const Matrix& values) {
+    if (values.rows() == 0) return values;
+    Matrix all(values.rows() + 1, values.cols());
+    all << values.topRows(before), values.row(before - 1),
+        values.bottomRows(values.rows() - before);
+    return all;
+  };
+  Trajectory longer = record;
+  longer.time.resize(record.samples() + 1);
+  longer.time << record.time.head(before), time, record.time.tail(record.samples() - before);
+  longer.states = extended(record.states);
+  longer.inputs = extended(record.inputs);
+  longer.derivatives = extended(record.derivatives);
+  longer.marks = extended(marks_of(record));
+  longer.marks.row(before).setConstant(number_of(Mark::Missing));
+  if (inputs.size() > 0) longer.inputs.row(before) = inputs.transpose();
+  return longer;
+}
+
+/// The events of each sample.
+void find_events(const OdeModel& model, const Dataset& view, FitRecords& records) {
+  if (model.events().empty()) return;
+  records.events.resize(static_cast<std::size_t>(records.samples()));
+  for (std::size_t r = 0; r < view.trajectories.size(); ++r) {
+    const Vector& time = view.trajectories[r].time;
+    for (const Occurrence& one : occurrences_at(model.events(), time)) {
+      const Index row = std::lower_bound(time.begin(), time.end(), one.time) - time.begin();
+      records.events[static_cast<std::size_t>(records.first(static_cast<Index>(r)) + row)]
+          .push_back(one.event);
+    }
+  }
+}
+
 }  // namespace
+
+Dataset with_event_rows(Dataset data, const OdeModel& model) {
+  if (model.events().empty()) return data;
+  std::vector<Quantity> inputs = data.inputs;
+  for (std::size_t i = 0; i < std::min(inputs.size(), model.inputs().size()); ++i)
+    inputs[i].hold = model.inputs()[i].hold;
+  for (Trajectory& record : data.trajectories) {
+    RecordInput signal(record, inputs);
+    Vector values(static_cast<Index>(inputs.size()));
+    for (const Occurrence& one : occurrences_at(model.events(), Vector(record.time))) {
+      const Index row =
+          std::lower_bound(record.time.begin(), record.time.end(), one.time) -
+          record.time.begin();
+      if (row == 0 || row == record.samples() || record.time[row] == one.time) continue;
+      signal(one.time, values.data());
+      record = with_row(record, row, one.time, values);
+    }
+  }
+  return data;
+}
 
 Dataset begun_at(Dataset data, const std::optional<double>& time) {
   if (!time) return data;
@@ -179,6 +262,40 @@ Dataset begun_at(Dataset data, const std::optional<double>& time) {
   return data;
 }
 
+void add_deviations(const Dataset& view, const std::vector<KnownDeviation>& known,
+                    FitRecords& records) {
+  const auto place_of = [](const auto& list, const std::string& name) {
+    return std::find_if(list.begin(), list.end(),
+                        [&](const auto& one) { return one.name == name; }) -
+           list.begin();
+  };
+  for (const auto& [name, column] : known) {
+    const Index c = place_of(records.channels, name), input = place_of(view.inputs, column);
+    if (c == static_cast<Index>(records.channels.size()) || input == view.input_count())
+      throw DataError("deviation of " + name,
+                      input == view.input_count() ? "there is no column '" + column +
+                                                        "' without missing values"
+                                                  : "nothing of that name is measured",
+                      "name a measured column and the column of its standard deviations");
+    if (records.channels[static_cast<std::size_t>(c)].law)
+      throw DataError("deviation of " + name, "the model has a law of its noise, too",
+                      "keep one of them");
+    if (records.deviations.size() == 0)
+      records.deviations = Matrix::Zero(records.samples(), records.values.cols());
+    Index n = 0;
+    for (const Trajectory& record : view.trajectories)
+      for (Index i = 0; i < record.samples(); ++i, ++n) {
+        const double deviation = record.inputs(i, input);
+        if (records.valid(n, c) > 0.0 && !(deviation > 0.0 && std::isfinite(deviation)))
+          throw DataError(record.source,
+                          column + " is " + format_number(deviation) + " at t = " +
+                              format_number(record.time[i]) + ", where " + name + " has a value",
+                          "give every value a standard deviation above 0");
+        records.deviations(n, c) = deviation;
+      }
+  }
+}
+
 FitRecords fit_records(const ParametrisedModel& model, const Dataset& view,
                        const KnownNoise& noise) {
   FitRecords records;
@@ -191,10 +308,10 @@ FitRecords fit_records(const ParametrisedModel& model, const Dataset& view,
     records.scale[k] = spread_of(column_of(view, k));
     add_channel(view, k,
                 Expression::variable(symbolic.states()[static_cast<std::size_t>(k)].name), noise,
-                records);
+                law_of(symbolic, view.states[static_cast<std::size_t>(k)].name), records);
   }
   for (const auto& [output, column] : measured_outputs(symbolic, view))
-    add_channel(view, column, output.formula, noise, records);
+    add_channel(view, column, output.formula, noise, output.noise, records);
   if (records.channels.empty())
     throw DataError("records", "nothing of the model is measured",
                     "name columns as states or outputs of the model");
@@ -208,6 +325,7 @@ FitRecords fit_records(const ParametrisedModel& model, const Dataset& view,
   }
   if (!scales.empty()) records.time_scale = *std::min_element(scales.begin(), scales.end());
   guess_starts(model, view, records);
+  find_events(symbolic, view, records);
   return records;
 }
 

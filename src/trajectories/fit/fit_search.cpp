@@ -32,8 +32,7 @@ void choose_substeps(FitEngine& engine, const FitPoint& point, const Gains& gain
   while (substeps < kMostSubsteps) {
     set_substeps(engine, 2 * substeps);
     FitPath fine = follow(engine, point, gains);
-    const Matrix change =
-        (fine.residuals - coarse.residuals) * engine.sigma.cwiseInverse().asDiagonal();
+    const Matrix change = whitened(engine, fine) - whitened(engine, coarse);
     if (change.norm() < small) return set_substeps(engine, substeps);
     substeps *= 2;
     coarse = std::move(fine);
@@ -76,6 +75,26 @@ FitMinimum polished(FitEngine& engine, const FitUnknowns& unknowns, FitMinimum f
   return minimise(engine, unknowns, found.point, {}, options.most_iterations, context);
 }
 
+/// Gives the laws of channels their sizes. @return the largest change of a logarithm.
+double estimate_laws(FitEngine& engine, const FitUnknowns& unknowns, const FitPath& path) {
+  const double freedom = degrees_of_freedom(engine, unknowns) /
+                         std::max(1.0, engine.records.valid.sum());
+  double change = 0.0;
+  for (Index c = 0; c < engine.count(); ++c) {
+    auto& law = engine.laws[static_cast<std::size_t>(c)];
+    if (!law) continue;
+    std::vector<Index> rows;
+    for (Index n = 0; n < path.residuals.rows(); ++n)
+      if (engine.records.valid(n, c) > 0.0) rows.push_back(n);
+    const Vector measured = engine.records.values(rows, c);
+    const double usual = engine.records.channels[static_cast<std::size_t>(c)].spread;
+    const double before = law->deviation(usual);
+    law->estimate(measured, measured - path.residuals(rows, c), freedom);
+    change = std::max(change, std::abs(std::log(law->deviation(usual) / before)));
+  }
+  return change;
+}
+
 /// Residuals of several channels count by their size; a few rounds settle it.
 FitMinimum reweighted(FitEngine& engine, const FitUnknowns& unknowns, FitMinimum found,
                       const FitSearchOptions& options, const RunContext& context) {
@@ -85,8 +104,11 @@ FitMinimum reweighted(FitEngine& engine, const FitUnknowns& unknowns, FitMinimum
   for (int round = 0; round < kRounds && std::isfinite(found.path.cost); ++round) {
     const Vector rms = residual_rms(engine, unknowns, found.path);
     const Vector sigma = rms.cwiseMax(least);
-    const double change = (sigma.array() / engine.sigma.array()).log().abs().maxCoeff();
+    const double change =
+        std::max((sigma.array() / engine.sigma.array()).log().abs().maxCoeff(),
+                 estimate_laws(engine, unknowns, found.path));
     engine.sigma = sigma;
+    found.path = follow(engine, found.point, {});  // its cost with the new sizes
     if (round > 0 && change < kSettled) break;
     found = minimise(engine, unknowns, found.point, {}, options.most_iterations, context);
   }

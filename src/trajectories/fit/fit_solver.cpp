@@ -39,13 +39,23 @@ void add_initial(const FitUnknowns& unknowns, const Vector& start, RowFold& fold
   }
 }
 
+/// How many deviations a parameter is above what is known of it; not finite where the logarithm
+/// is known and it is not above 0.
+double prior_deviations(const Prior& prior, double value) {
+  if (!prior.logarithmic) return (value - prior.value) / prior.tolerance;
+  return value > 0.0 ? std::log(value / prior.value) / prior.tolerance : kInfinity;
+}
+
 /// What is known of some parameters, as rows behind a first column.
 void add_priors(const FitUnknowns& unknowns, const std::vector<Index>& parameters,
                 const FitPoint& point, Index record, Index first, RowFold& fold) {
   for (std::size_t i = 0; i < parameters.size(); ++i)
-    if (const auto& prior = unknowns.priors[static_cast<std::size_t>(parameters[i])])
-      add_row(fold, first + static_cast<Index>(i), 1.0 / prior->tolerance,
-              (prior->value - point.parameters(record, parameters[i])) / prior->tolerance);
+    if (const auto& prior = unknowns.priors[static_cast<std::size_t>(parameters[i])]) {
+      const double value = point.parameters(record, parameters[i]);
+      const double slope = prior->logarithmic ? 1.0 / value : 1.0;
+      add_row(fold, first + static_cast<Index>(i), slope / prior->tolerance,
+              -prior_deviations(*prior, value));
+    }
 }
 
 /// The records as blocks; own unknowns are [initial states, local parameters].
@@ -202,7 +212,7 @@ double total_cost(const FitUnknowns& unknowns, const FitPoint& point, const FitP
                   .sum();
   const auto add_prior = [&](Index p, const Vector& values) {
     if (const auto& prior = unknowns.priors[static_cast<std::size_t>(p)])
-      cost += ((values.array() - prior->value) / prior->tolerance).square().sum();
+      for (const double value : values) cost += std::pow(prior_deviations(*prior, value), 2);
   };
   for (const Index p : unknowns.local) add_prior(p, point.parameters.col(p));
   for (const Index p : unknowns.global) add_prior(p, point.parameters.col(p).head(1));

@@ -3,8 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <numbers>
 #include <utility>
 
 #include "core/base/check.hpp"
@@ -15,26 +13,13 @@
 namespace lacuna {
 namespace {
 
-/// Mean squares of the residuals of each channel.
-Vector variances_of(const Fit& fit) {
-  Vector variances(static_cast<Index>(fit.quality.size()));
-  for (Index c = 0; c < variances.size(); ++c)
-    variances[c] = std::pow(fit.quality[static_cast<std::size_t>(c)].rmse, 2);
-  return variances.cwiseMax(std::numeric_limits<double>::min());
-}
-
 /// Log-likelihood of each value, channel by channel, records one behind the other.
 Vector log_likelihoods(const Fit& fit) {
-  const Vector variances = variances_of(fit);
   std::vector<double> all;
-  for (Index c = 0; c < variances.size(); ++c)
+  for (Index c = 0; c < static_cast<Index>(fit.quality.size()); ++c)
     for (const FitRun& run : fit.runs)
-      for (Index i = 0; i < run.time.size(); ++i) {
-        const double residual = run.measured(i, c) - run.model(i, c);
-        if (std::isfinite(residual))
-          all.push_back(-0.5 * (std::log(2.0 * std::numbers::pi * variances[c]) +
-                                residual * residual / variances[c]));
-      }
+      for (const double likelihood : run.log_likelihood.col(c))
+        if (std::isfinite(likelihood)) all.push_back(likelihood);
   return Eigen::Map<const Vector>(all.data(), static_cast<Index>(all.size()));
 }
 
@@ -57,7 +42,9 @@ FitRival rival_of(const NamedFit& named, const Vector& each) {
   const Fit& fit = named.fit;
   const auto n = static_cast<double>(each.size());
   FitRival rival{.name = named.name};
-  rival.unknowns = n - fit.degrees_of_freedom + static_cast<double>(fit.quality.size());
+  rival.unknowns = n - fit.degrees_of_freedom;
+  for (const FitQuality& quality : fit.quality)
+    rival.unknowns += static_cast<double>(quality.sizes);
   const double k = rival.unknowns;
   rival.log_likelihood = each.sum();
   rival.aicc = -2.0 * rival.log_likelihood + 2.0 * k +

@@ -76,13 +76,24 @@ bool RadauFlow::advance(Rates& rates, DriveSlots drive, double t0, double t1, Ve
                         Matrix* sensitivity) {
   const double length = t1 - t0;
   double done = 0.0;
-  if (!(step_ > 0.0)) step_ = length;
-  if (seen_.size() == 0) seen_ = x.cwiseAbs();
   for (int count = 0; done < length; ++count) {
-    const double t = t0 + done;
-    if (count == kMostSteps || t + step_ == t || !x.allFinite()) return false;
-    const bool last = done + 1.01 * step_ >= length;
-    const double h = last ? length - done : step_;
+    const double left = length - done;
+    const double took =
+        count == kMostSteps ? 0.0 : step(rates, drive, t0 + done, left, x, sensitivity);
+    if (!(took > 0.0)) return false;
+    done = took == left ? length : done + took;
+  }
+  return true;
+}
+
+double RadauFlow::step(Rates& rates, DriveSlots drive, double t, double longest, Vector& x,
+                       Matrix* sensitivity) {
+  if (!(step_ > 0.0)) step_ = longest;
+  if (seen_.size() == 0) seen_ = x.cwiseAbs();
+  for (int count = 0; count < kMostSteps; ++count) {
+    if (t + step_ == t || !x.allFinite()) return 0.0;
+    const bool last = 1.01 * step_ >= longest;
+    const double h = last ? longest : step_;
     const double off = solve_stages(rates, drive, t, h, x)
                            ? error(rates, h, x)
                            : std::numeric_limits<double>::infinity();
@@ -94,11 +105,11 @@ bool RadauFlow::advance(Rates& rates, DriveSlots drive, double t0, double t1, Ve
     if (sensitivity) vary(rates, h, *sensitivity);
     x += shift_.col(2);
     seen_ = seen_.cwiseMax(x.cwiseAbs());
-    done = last ? length : done + h;
     const double next = h * std::clamp(factor, 0.2, 5.0);
     step_ = last ? std::max(step_, next) : next;
+    return h;
   }
-  return true;
+  return 0.0;
 }
 
 /// Newton's method for the states of the stages; false where it does not converge.

@@ -54,6 +54,15 @@ class RadauFlow {
   bool advance(Rates& rates, DriveSlots drive, double t0, double t1, Vector& x,
                Matrix* sensitivity = nullptr);
 
+  /// Makes one step of at most `longest`; parameters as of advance().
+  /// @return its length; 0 where none can be made.
+  double step(Rates& rates, DriveSlots drive, double t, double longest, Vector& x,
+              Matrix* sensitivity = nullptr);
+
+  /// How far the state was from the begin of the last step at its first (0) or second (1)
+  /// stage.
+  auto stage_shift(Index stage) const { return shift_.col(stage); }
+
  private:
   bool solve_stages(Rates& rates, DriveSlots drive, double t, double h, const Vector& x);
   void evaluate(Rates& rates, const Vector& x);

@@ -9,6 +9,8 @@
 #include <vector>
 
 #include "lacuna/data/records/dataset.hpp"
+#include "lacuna/model/equations/event.hpp"
+#include "lacuna/model/equations/noise_law.hpp"
 #include "lacuna/model/equations/term.hpp"
 
 namespace lacuna {
@@ -36,6 +38,7 @@ struct Output {
   std::string name;  ///< of the column; an identifier
   std::string unit;
   Expression formula;
+  std::optional<NoiseLaw> noise = {};  ///< nothing: normal, one deviation that is estimated
 };
 
 /// What is known of a state where records begin.
@@ -76,6 +79,9 @@ class OdeModel {
   /// What is known of the start, one entry for each state.
   const std::vector<std::optional<InitialValue>>& initial() const noexcept { return initial_; }
 
+  /// Instants at which states jump.
+  const std::vector<Event>& events() const noexcept { return events_; }
+
   /// Names in slot order.
   Variables variables() const;
 
@@ -108,6 +114,11 @@ class OdeModel {
   /// The time at which the start holds; nothing: that of the first sample of each record.
   std::optional<double> initial_time() const;
 
+  /// The model with these events; resets of an event get the order of the states.
+  /// @throws ModelError for a map, for a model with delays, for an event without a reset or with
+  ///   two of one state, for an unknown name, and for times that are none.
+  OdeModel with_events(std::vector<Event> events) const;
+
   /// The model with other equations. @throws ModelError as the constructor.
   OdeModel with_equations(std::vector<Equation> equations) const;
 
@@ -125,12 +136,17 @@ class OdeModel {
   std::string time_unit_;
   std::vector<Output> outputs_;
   std::vector<std::optional<InitialValue>> initial_;
+  std::vector<Event> events_;
   Evolution evolution_ = Evolution::Flow;
 };
 
 /// Says that a task needs a flow. @param task as in "diagnose".
 /// @throws ModelError when the model is a map.
 void check_flow(const OdeModel& model, const std::string& task);
+
+/// Says that a task knows no events. @param task as in "diagnose".
+/// @throws ModelError when the model has some.
+void check_no_events(const OdeModel& model, const std::string& task);
 
 /// What an equation gives: "dx/dt" or "x[n+1]".
 std::string left_hand_side(const std::string& state, Evolution evolution);

@@ -13,7 +13,8 @@ namespace lacuna {
 /// What is known of a parameter before the fit: value +- tolerance (one standard deviation).
 struct Prior {
   double value = 0.0;
-  double tolerance = 1.0;  ///< > 0
+  double tolerance = 1.0;    ///< > 0
+  bool logarithmic = false;  ///< of the logarithm of the parameter: log(value) +- tolerance
 };
 
 /// A coefficient of a model that is to be estimated.

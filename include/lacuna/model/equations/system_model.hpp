@@ -23,6 +23,9 @@ struct Parameter {
   bool per_record = false;         ///< free for each record by itself
   /// Standard deviation, > 0, of what is known of the value before any record is seen.
   std::optional<double> deviation = {};
+  /// The same of a positive value by a factor, > 1: its logarithm is normal with the deviation
+  /// log(factor).
+  std::optional<double> factor = {};
   std::optional<double> standard_error = {};
   std::optional<std::array<double, 2>> ci95 = {};
 };

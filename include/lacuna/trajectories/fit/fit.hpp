@@ -15,6 +15,12 @@
 
 namespace lacuna {
 
+/// A channel whose values have known standard deviations.
+struct KnownDeviation {
+  std::string channel;  ///< a measured state or output
+  std::string column;   ///< input of the records that has them, all above 0
+};
+
 /// How a model of known structure is fitted.
 struct FitOptions {
   int restarts = 8;       ///< at most so many other starts where residuals are above the noise
@@ -28,6 +34,8 @@ struct FitOptions {
   /// (OdeModel::initial_time()), or at the first row of each.
   std::optional<double> start_time = {};
   bool profile = false;   ///< whether profiles of the likelihood are wanted, at any cost
+  /// Normal noise of known size in each sample, in the place of one deviation of the channel.
+  std::vector<KnownDeviation> deviations = {};
   KnownNoise noise = {};  ///< of each column of the records; nothing: analyse_noise() finds it
 };
 
@@ -76,6 +84,9 @@ struct FitQuality {
   double power = 0.0;        ///< probability that structure as large as the noise is seen
   std::string sign = {};     ///< what shows structure: "trend", "runs", ...
   std::vector<double> rmse_per_record = {};
+  std::optional<NoiseLaw> law = {};  ///< with its sizes, where the model has one
+  Index sizes = 1;                   ///< of the noise that were estimated
+  Index censored = 0;                ///< values that are limits only
 };
 
 /// Free runs of held-out records: initial states from their first samples, the rest simulated.
@@ -104,6 +115,7 @@ struct FitRun {
   std::string record;
   Vector time;             ///< n
   Matrix measured, model;  ///< n x channels; NaN where there is no value
+  Matrix log_likelihood = {};  ///< n x channels; NaN where there is no value
 };
 
 /// A model fitted to records.
@@ -124,6 +136,7 @@ struct Fit {
   Index substeps = 1;
   Index prediction = 10;  ///< samples ahead of FitQuality::prediction
   double degrees_of_freedom = 0.0;
+  double log_likelihood = 0.0;  ///< of all values, with the estimated sizes of the noise
   std::vector<StageDone> stages = {};  ///< "fit", "starts", "profiles"
   std::vector<std::string> notes = {};
   std::vector<FitRun> runs = {};  ///< one for each record
@@ -154,7 +167,9 @@ std::string sentence_of(const FitStanding& standing);
 
 /// Fits free coefficients and parameters of a model, and the initial states, to records by the
 /// largest likelihood of a free run: the least sum of squares of measured minus model, each
-/// channel divided by the deviation of its residuals. Terms marked fixed, identities (dq/dt =
+/// channel divided by the deviation of its residuals, or the law of noise that its output has
+/// (Output::noise), the sizes of which are estimated unless they are given. Events restart the
+/// integration; derivatives jump there (EventMaps). Terms marked fixed, identities (dq/dt =
 /// v) and fixed parameters stay; free parameters stay in their ranges. States need not be
 /// measured. Standard errors are those of the Fisher information where residuals are white;
 /// else they come from gradients of blocks of the records, which are correlated. The ends of an

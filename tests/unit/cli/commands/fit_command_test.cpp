@@ -167,5 +167,51 @@ TEST(FitCommand, ErrorsAreOneLine) {
         {option});
 }
 
+/// A decay from 100 of which every value has a deviation, and doses of 50 at 4 and 8.
+std::string dosed_record() {
+  std::string record = "t,x,sd\n";
+  for (int i = 0; i < 60; ++i) {
+    const double t = 0.2 * i;
+    double x = 100.0 * std::exp(-0.3 * t);
+    for (const double dose : {4.1, 8.1})
+      if (t > dose) x += 50.0 * std::exp(-0.3 * (t - dose));
+    const double sd = i % 2 == 0 ? 0.1 : 3.0;
+    record += std::to_string(t) + "," + std::to_string(x + sd * std::sin(37.0 * i)) + "," +
+              std::to_string(sd) + "\n";
+  }
+  return record;
+}
+
+TEST(FitCommand, EventsAndDeviationsAreUsed) {
+  const Records records;
+  const std::string data = records.folder().write("doses.csv", dosed_record());
+  const std::string model = records.folder().write(
+      "m.ode",
+      "param k = 0.5 in 0..\nparam D = 30\ndx/dt = -k*x\nevery 4 from 4.1 until 9: x += D\n");
+  const auto result =
+      run_command({"fit", model, data, "--deviation", "x=sd", "--json", "-"});
+  ASSERT_EQ(result.status, 0) << result.err;
+  const auto json = nlohmann::json::parse(result.out);
+  EXPECT_NEAR(json["parameters"][0]["value"].get<double>(), 0.3, 0.002);
+  EXPECT_NEAR(json["parameters"][1]["value"].get<double>(), 50.0, 0.3);
+  EXPECT_TRUE(json["log_likelihood"].is_number());
+  EXPECT_EQ(json["model"]["events"][0]["every"], 4.0);
+  expect_failure(run_command({"fit", model, data, "--deviation", "x=error"}), 2,
+                 {"deviation of x", "'error'"});
+}
+
+TEST(FitCommand, TheLawOfNoiseIsPartOfTheAnswer) {
+  const Records records;
+  const std::string data = records.folder().write("doses.csv", dosed_record());
+  const std::string model = records.folder().write(
+      "m.ode",
+      "param k = 0.5 in 0..\ndx/dt = -k*x\nevery 4 from 4.1 until 9: x += 50\n"
+      "x = x noise proportional below 20\n");
+  const auto result = run_command({"fit", model, data});
+  ASSERT_EQ(result.status, 0) << result.err;
+  EXPECT_THAT(result.out, HasSubstr("proportional noise"));
+  EXPECT_THAT(result.out, HasSubstr("log-likelihood"));
+}
+
 }  // namespace
 }  // namespace lacuna

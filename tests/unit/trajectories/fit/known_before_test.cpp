@@ -65,6 +65,32 @@ TEST(KnownBefore, APriorIsPartOfTheErrorWhereResidualsAreCorrelated) {
   EXPECT_NEAR(*found.numbers.at(0).standard_error, 0.0003, 0.00005);
 }
 
+// The product of a lognormal and a normal density has its maximum where the sum of both scores
+// is 0.
+TEST(KnownBefore, AFactorIsANormalPriorOfTheLogarithm) {
+  const Dataset data = line_record(2.0, 0.0, 3);
+  const Trajectory& line = data.trajectories[0];
+  const double log_factor = std::log(1.002);
+  const Fit found = fit(parse_ode_system("param a = 1.99 */ 1.002\ndx/dt = a\n"
+                                         "initial x = 0 at 0 fixed\n",
+                                         "m.ode"),
+                        data, {});
+  const double sigma = found.quality[0].rmse;
+  const auto score = [&](double a) {
+    return line.time.dot(line.states.col(0) - a * line.time) / (sigma * sigma) -
+           std::log(a / 1.99) / (log_factor * log_factor * a);
+  };
+  double low = 1.9, high = 2.1;
+  while (high - low > 1e-9) (score(0.5 * (low + high)) > 0.0 ? low : high) = 0.5 * (low + high);
+  EXPECT_NEAR(found.numbers.at(0).value, low, 1e-4);
+  const double information =
+      line.time.squaredNorm() / (sigma * sigma) + 1.0 / std::pow(log_factor * low, 2);
+  ASSERT_TRUE(found.numbers[0].standard_error);
+  EXPECT_NEAR(*found.numbers[0].standard_error, 1.0 / std::sqrt(information),
+              0.05 / std::sqrt(information));
+  EXPECT_FALSE(found.model.parameters().at(0).factor) << "part of the estimate now";
+}
+
 TEST(KnownBefore, APriorHoldsTheParameterOfEachRecord) {
   Dataset data = line_record(2.0, 0.0, 3);
   data.trajectories.push_back(line_record(3.0, 0.0, 4).trajectories[0]);
