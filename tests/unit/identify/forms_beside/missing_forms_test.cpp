@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "identify/forms_beside/function_forms.hpp"
+#include "identify/forms_beside/product_forms.hpp"
 #include "lacuna/bases/monomials.hpp"
 #include "lacuna/dynamics/integration/runge_kutta.hpp"
 #include "lacuna/dynamics/test_systems/measurement.hpp"
@@ -65,6 +66,30 @@ TEST(FormSearch, OneFormDoesTheWorkOfManyTerms) {
   ASSERT_EQ(few.forms.size(), 1u);
   EXPECT_EQ(few.forms[0].expression().to_string(), "sin(x)");
   EXPECT_EQ(few.parameters(), 1u);
+}
+
+TEST(FormSearch, WhatATaylorSeriesStoodForIsTwoForms) {
+  const Oscillator c("(0.8*sin(x)+1.5*x*cos(x))");
+  const FormSearch search(c.data, c.sigma);
+  std::vector<Candidate> candidates = c.candidates();
+  const EquationForms series = search.with_fewer_terms(c.bare(), candidates, c.library.terms);
+  for (const Candidate& more : composed_forms(*c.scope, 1)) candidates.push_back(more);
+  const EquationForms found = search.recomposed(series, candidates, c.library.terms, 1e-7);
+  EXPECT_LT(search.left(found), 1e-4 * search.left(series));
+  EXPECT_TRUE(found.terms.empty());
+  std::vector<std::string> names;
+  for (const MissingForm& form : found.forms) names.push_back(form.expression().to_string());
+  std::sort(names.begin(), names.end());
+  EXPECT_EQ(names, (std::vector<std::string>{"sin(x)", "x*cos(x)"}));
+}
+
+TEST(FormSearch, WhereNothingTakesAnythingAwayAnEquationStays) {
+  const Oscillator c("x", 0.01);
+  const FormSearch search(c.data, c.sigma);
+  const EquationForms few{1, {c.library.terms[1]}, {}};
+  const EquationForms found = search.recomposed(few, c.candidates(), c.library.terms, 1e-7);
+  EXPECT_EQ(found.terms.size(), 1u);
+  EXPECT_TRUE(found.forms.empty());
 }
 
 TEST(FormSearch, AJumpTakesThePlaceOfASlopeThatHardlyASampleSees) {
