@@ -13,7 +13,7 @@ namespace {
 /// Fraction of the largest pivot that is rounding.
 constexpr double kRankOfRows = 1e-12;
 
-/// What is left of min |F z - d|^2 subject to G z <= g in y = R (z - z0), z0 the solution without
+/// min |F z - d|^2 subject to G z <= g in the coordinates y = R (z - z0), z0 the solution without
 /// constraints: the shortest y with -M'y >= s.
 struct Dual {
   Matrix m;

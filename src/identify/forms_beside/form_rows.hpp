@@ -15,8 +15,8 @@ namespace lacuna {
 /// The weak form of a dataset with its rows at hand, K x columns, so that one form more costs
 /// one column. Rows are whitened: white noise sigma of a state is white noise sigma of its
 /// target (see WeakForm). Where rates are measured, the target is their mean with the weights of
-/// the terms, without an error of quadrature. Test functions are as wide as the noise asks for, and not so wide
-/// that few rows are left.
+/// the terms, without an error of quadrature. Test functions are as wide as the noise asks for,
+/// and not so wide that few rows are left.
 class FormRows {
  public:
   /// @param noise of each state: forms are evaluated at smoothed samples, because noise in an
