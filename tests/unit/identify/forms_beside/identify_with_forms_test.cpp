@@ -127,6 +127,17 @@ TEST(IdentifyWithForms, WhereRatesAreMeasuredATaylorSeriesIsNoAnswer) {
   EXPECT_LT(error_of(found.model, force), 1e-6);
 }
 
+TEST(IdentifyWithForms, FindsForcingBesideASpringThatHardens) {
+  const Dataset data = record_of_equations(
+      {{{1.0, "y"}}, {{1.0, "x"}, {-1.0, "x^3"}, {-0.2, "y"}, {0.3, "cos(1.2*t)"}}},
+      Eigen::Vector2d(0.5, 0.0), 0.08, 512, 0.0);
+  const IdentificationResult found = identify_with_forms(data, algorithm1(), kEffects);
+  EXPECT_EQ(terms_of(found.model, 0), std::vector<std::string>{"y"});
+  EXPECT_EQ(found.model.equations()[1].size(), 4u) << to_text(found.model, 4);
+  EXPECT_NEAR(found.model.coefficient(1, "x^3"), -1.0, 1e-6);
+  EXPECT_NEAR(found.model.coefficient(1, "y"), -0.2, 1e-6);
+}
+
 TEST(IdentifyWithForms, WhatOneStateGivesToTheNextIsOneFormInEach) {
   Dataset data;
   using Start = Eigen::Vector2d;
