@@ -50,6 +50,7 @@
 #include "lacuna/forms/candidate/candidate.hpp"
 #include "lacuna/forms/candidate/reading.hpp"
 #include "lacuna/forms/candidate/scope.hpp"
+#include "lacuna/identify/alternatives/alternatives.hpp"
 #include "lacuna/identify/bench/bench.hpp"
 #include "lacuna/identify/forms_beside/form_options.hpp"
 #include "lacuna/identify/journey/identification_options.hpp"

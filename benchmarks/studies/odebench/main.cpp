@@ -1,19 +1,20 @@
 // SPDX-License-Identifier: MIT
 // Models found in records of ODEBench, solved from the record's start and from another one.
-// usage: study_odebench FILE OUTPUT_FOLDER [DRAWS] [PATH=VALUE...] [--cells FOLDER]
-// FILE: systems with two solutions each, as JSON (may be packed by gzip).
-// DRAWS: of noise and dropped samples; 1 as published. PATH=VALUE: options of `identify`.
+// usage: study_odebench FILE OUTPUT_FOLDER [DRAWS] [CONDITIONS] [PATH=VALUE...] [--cells FOLDER]
+// FILE: systems with two solutions each, as JSON (may be packed by gzip), or as text with
+// equations and starts (textbook_systems.txt here). A table of text is named
+// after its file.
+// DRAWS: of noise and dropped samples; 1 as published. CONDITIONS: the first so many of the four
+// published ones. PATH=VALUE: options of `identify`.
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <filesystem>
 #include <iostream>
-#include <nlohmann/json.hpp>
 #include <span>
 
 #include "core/base/random.hpp"
 #include "core/base/text.hpp"
-#include "core/files/file_bytes.hpp"
 #include "identify/forms_beside/identify_with_forms.hpp"
 #include "lacuna/cli/configuration/registry.hpp"
 #include "lacuna/core/base/error.hpp"
@@ -23,53 +24,19 @@
 #include "support/parallel.hpp"
 #include "support/settings.hpp"
 #include "support/table.hpp"
+#include "systems.hpp"
 
 namespace lacuna::odebench {
 namespace {
-
-/// A system with its two solutions.
-struct System {
-  std::string name;
-  Vector time;
-  std::array<Matrix, 2> states;  ///< n x m
-};
 
 /// Noise x (1 + sigma xi), and the fraction of samples that is dropped.
 struct Condition {
   double sigma = 0.0, dropped = 0.0;
 };
 
-/// Published protocol.
+/// Published protocol; those without dropped samples first.
 constexpr std::array<Condition, 4> kConditions = {
     {{0.0, 0.0}, {0.05, 0.0}, {0.0, 0.5}, {0.05, 0.5}}};
-
-Vector vector_of(const nlohmann::json& list) {
-  const auto values = list.get<std::vector<double>>();
-  return Eigen::Map<const Vector>(values.data(), static_cast<Index>(values.size()));
-}
-
-System system_of(const nlohmann::json& entry) {
-  System system{std::to_string(entry.at("id").get<int>()) + " " +
-                    entry.at("eq_description").get<std::string>(),
-                {},
-                {}};
-  for (std::size_t s = 0; s < 2; ++s) {
-    const nlohmann::json& solution = entry.at("solutions").at(0).at(s);
-    system.time = vector_of(solution.at("t"));
-    const nlohmann::json& states = solution.at("y");
-    system.states[s].resize(system.time.size(), static_cast<Index>(states.size()));
-    for (std::size_t k = 0; k < states.size(); ++k)
-      system.states[s].col(static_cast<Index>(k)) = vector_of(states[k]);
-  }
-  return system;
-}
-
-std::vector<System> read_systems(const std::filesystem::path& path) {
-  std::vector<System> systems;
-  for (const auto& entry : nlohmann::json::parse(read_bytes(path).view()))
-    systems.push_back(system_of(entry));
-  return systems;
-}
 
 /// The first solution as it is measured.
 Dataset record_of(const System& system, const Condition& condition, std::uint64_t seed) {
@@ -155,6 +122,11 @@ std::string name_of(const Condition& condition) {
   return format_number(condition.sigma) + ", " + format_number(condition.dropped);
 }
 
+/// "odebench" of JSON, "textbook_systems" of "textbook_systems.txt".
+std::string name_of(const std::filesystem::path& file) {
+  return file.extension() == ".txt" ? file.stem().string() : "odebench";
+}
+
 std::vector<std::string> detail_row(const Condition& condition, const std::string& system,
                                     const Outcome& one) {
   return {format_number(condition.sigma),
@@ -169,9 +141,11 @@ std::vector<std::string> detail_row(const Condition& condition, const std::strin
 int run_study(const benchmarks::StudyArguments& arguments) {
   const std::vector<System> systems = read_systems(arguments.at(0));
   const std::size_t draws = arguments.count_at(2, 1);
+  const std::span conditions =
+      std::span(kConditions).first(std::min(arguments.count_at(3, 4), kConditions.size()));
   const Search search{default_registry().make_all<Effect>(), arguments.options.forms};
   benchmarks::Cells<Outcome> cells;
-  for (const Condition& condition : kConditions) {
+  for (const Condition& condition : conditions) {
     cells.begin_group(name_of(condition));
     const bool drawn = condition.sigma > 0.0 || condition.dropped > 0.0;
     for (std::size_t draw = 1; draw <= (drawn ? draws : 1); ++draw)
@@ -188,22 +162,24 @@ int run_study(const benchmarks::StudyArguments& arguments) {
   benchmarks::ResultTable details{{"sigma", "dropped", "system", "reconstruction R2",
                                    "generalisation R2", "CPU seconds", "model"},
                                   {}};
-  for (std::size_t k = 0; k < kConditions.size(); ++k) {
+  for (std::size_t k = 0; k < conditions.size(); ++k) {
     const std::span<const Outcome> outcomes = finished->group(k);
-    summary.rows.push_back({name_of(kConditions[k]), std::to_string(outcomes.size()),
+    summary.rows.push_back({name_of(conditions[k]), std::to_string(outcomes.size()),
                             fraction(outcomes, 0), fraction(outcomes, 1),
                             format_number(median_seconds(outcomes), 2)});
     for (std::size_t i = 0; i < outcomes.size(); ++i)
       details.rows.push_back(
-          detail_row(kConditions[k], systems[i % systems.size()].name, outcomes[i]));
+          detail_row(conditions[k], systems[i % systems.size()].name, outcomes[i]));
   }
   std::cout << summary.markdown();
+  const std::string name = name_of(arguments.at(0));
   benchmarks::write_results(
-      arguments.at(1), "odebench", details.csv(),
-      "# ODEBench\n\n`study_odebench FILE FOLDER " + std::to_string(draws) +
-          benchmarks::settings_text(arguments) + "`, " + finished->origin.day + ", " +
-          finished->origin.machine +
-          ". Systems of the given part whose model, found by the default in the first solution "
+      arguments.at(1), name, details.csv(),
+      (name == "odebench" ? "# ODEBench" : "# Systems beside ODEBench") +
+          std::string("\n\n`study_odebench FILE FOLDER ") + std::to_string(draws) + " " +
+          std::to_string(conditions.size()) + benchmarks::settings_text(arguments) + "`, " +
+          finished->origin.day + ", " + finished->origin.machine +
+          ". Systems of the file whose model, found by the default in the first solution "
           "(noise x (1 + sigma xi), a share of the samples dropped), has R2 > 0.9 on the clean "
           "solution from the same start (reconstruction) and from another one "
           "(generalisation).\n\n" +
@@ -216,7 +192,7 @@ int run_study(const benchmarks::StudyArguments& arguments) {
 
 int main(int argc, char** argv) {
   return lacuna::benchmarks::study_main(
-      {"odebench", "FILE OUTPUT_FOLDER [DRAWS] [PATH=VALUE...]", lacuna::odebench::run_study, 2,
-       true},
+      {"odebench", "FILE OUTPUT_FOLDER [DRAWS] [CONDITIONS] [PATH=VALUE...]",
+       lacuna::odebench::run_study, 2, true},
       argc, argv);
 }

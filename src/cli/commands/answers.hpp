@@ -31,6 +31,7 @@ struct IdentifyRequest {
   std::optional<std::string> preset = {}, config = {}, terms = {};
   std::optional<std::string> config_text = {};  ///< JSON, said after the file `config`
   std::optional<int> degree = {}, hidden = {};
+  std::optional<int> alternatives = {};  ///< models that are listed beside the best at most
   std::vector<std::string> assignments = {}, equations = {}, added = {}, constraints = {};
   bool discrete = false;
   Thoroughness effort = Thoroughness::Normal;

@@ -48,11 +48,16 @@ void declare_pipeline_options(CLI::App& app, IdentifyArguments& options) {
       ->type_name("LIST");
   app.add_option("--fix,--constraint", options.constraints,
                  "What coefficients satisfy: \"dth: w = 1\", \"y: x*z, z: x*y = 0\" (the sum), "
-                 "energy-preserving; repeatable")
+                 "\"y: x < 0\" (a sign), energy-preserving; repeatable")
       ->type_name("STATE:TERM=VALUE");
   app.add_option("--equation", options.equations,
                  "The terms of one equation, e.g. \"dw: sin(th), w, u\"; repeatable")
       ->type_name("STATE:LIST");
+  app.add_option("--alternatives", options.alternatives,
+                 "List so many models of other structure that the record cannot distinguish "
+                 "from the best, with criterion and held-out error")
+      ->type_name("N")
+      ->check(CLI::Range(1, 1000));
   app.add_option("--set", options.assignments,
                  "One value of the configuration, e.g. regressor.threshold=0.05 or "
                  "validation.resolution=1e-4 (see `describe validation`); repeatable")
@@ -241,6 +246,12 @@ IdentifyAnswer answer(const Registry& registry, const IdentifyRequest& request,
   const IdentificationTask task = task_of(registry, request, configuration);
   Identification found = read_and_identify(request, task, context);
   IdentificationReport report = report_of(found, task, configuration);
+  if (request.alternatives && context.leads())
+    report.alternatives = find_alternatives(
+        found.records, report.result, task.pipeline,
+        {.count = static_cast<std::size_t>(*request.alternatives),
+         .validation = task.options.validation},
+        context.alone());
   return {std::move(report), std::move(found.records)};
 }
 

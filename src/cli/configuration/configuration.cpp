@@ -197,16 +197,26 @@ NamedCoefficient read_summand(const std::string& text, const std::string& where)
   return {state, std::string(trim(std::string_view(text).substr(colon + 1))), factor};
 }
 
+/// "<" and "<=" are one: what is bounded may be at its bound.
+ConstraintRelation relation_of(char sign) {
+  if (sign == '<') return ConstraintRelation::AtMost;
+  return sign == '>' ? ConstraintRelation::AtLeast : ConstraintRelation::Equal;
+}
+
 EquationConstraint read_constraint(const std::string& text, const std::string& where) {
-  const std::size_t equals = text.rfind('=');
-  if (equals == std::string::npos)
-    throw ConfigError(
-        where, "'" + text + "' has no =", "write e.g. --constraint \"y: x*z, z: x*y = 0\"");
-  const auto value = parse_number(std::string(trim(std::string_view(text).substr(equals + 1))));
+  const std::size_t sign = text.find_last_of("<>=");
+  if (sign == std::string::npos)
+    throw ConfigError(where, "'" + text + "' has no =, < or >",
+                      "write e.g. --constraint \"y: x*z, z: x*y = 0\" or \"y: x < 0\"");
+  const auto value = parse_number(std::string(trim(std::string_view(text).substr(sign + 1))));
   if (!value)
-    throw ConfigError(where, "what stands behind = is no number", "write e.g. \"w: u = 1\"");
-  EquationConstraint constraint{{}, *value};
-  for (const std::string& summand : split_list(std::string_view(text).substr(0, equals)))
+    throw ConfigError(where, std::string("what stands behind ") + text[sign] + " is no number",
+                      "write e.g. \"w: u = 1\"");
+  const bool has_two = text[sign] == '=' && sign > 0 && (text[sign - 1] == '<' ||
+                                                         text[sign - 1] == '>');
+  const std::size_t first = has_two ? sign - 1 : sign;
+  EquationConstraint constraint{{}, *value, relation_of(text[first])};
+  for (const std::string& summand : split_list(std::string_view(text).substr(0, first)))
     constraint.summands.push_back(read_summand(summand, where));
   return constraint;
 }
@@ -308,8 +318,11 @@ void Configuration::set_equation(std::string_view text) {
 }
 
 void Configuration::add_constraint(const std::string& text) {
-  std::string summands = text.substr(0, text.rfind('='));
+  std::string summands = text.substr(0, text.find_first_of("<>="));
   std::erase(summands, ' ');
+  // A sum may be bounded on both sides.
+  if (const std::size_t sign = text.find_first_of("<>"); sign != std::string::npos)
+    summands += text[sign];
   document_->say("what " + summands + " is", "--fix", text);
   Json& constraints = document_->root["constraints"];
   if (!constraints.is_array()) constraints = Json::array();

@@ -65,6 +65,20 @@ double BaseColumns::left_with(const Vector& column) const {
   return added(column).left;
 }
 
+BaseColumns::Pair BaseColumns::with_pair(const Vector& first, const Vector& second) const {
+  if (!std::isfinite(left_) || !first.allFinite() || !second.allFinite())
+    return {0.0, 0.0, kInfinity};
+  Matrix fresh(first.size(), 2);
+  fresh << first, second;
+  const Vector lengths = fresh.colwise().norm().cwiseMax(1e-300);
+  fresh = fresh * lengths.cwiseInverse().asDiagonal();
+  fresh -= basis_ * (basis_.transpose() * fresh);
+  fresh -= basis_ * (basis_.transpose() * fresh);
+  const PivotedQr factor(fresh, kNewFraction);
+  const Vector h = factor.solve(rest_);
+  return {h[0] / lengths[0], h[1] / lengths[1], (rest_ - fresh * h).squaredNorm()};
+}
+
 double BaseColumns::left_without_two(const Vector& column) const {
   if (!std::isfinite(left_) || !column.allFinite()) return kInfinity;
   const Added more = added(column);

@@ -18,6 +18,15 @@ class BaseColumns {
   /// The same with one column more.
   double left_with(const Vector& column) const;
 
+  /// Two columns that come together.
+  struct Pair {
+    double first = 0.0, second = 0.0;  ///< their coefficients
+    double left = 0.0;                 ///< |y - A h|^2 with both
+  };
+
+  /// The same with two columns more.
+  Pair with_pair(const Vector& first, const Vector& second) const;
+
   /// With one column more and the two others gone that are missed least:
   /// h_D' ((A'A)^-1_DD)^-1 h_D is what two columns D are worth.
   double left_without_two(const Vector& column) const;

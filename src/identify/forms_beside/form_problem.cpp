@@ -19,6 +19,7 @@ namespace {
 
 /// Whether a candidate is taken in already: with other numbers it would only cancel itself.
 bool has_form(const EquationForms& equation, const Candidate& candidate) {
+  if (candidate.repeats) return false;
   return std::any_of(
       equation.forms.begin(), equation.forms.end(),
       [&](const MissingForm& form) { return are_one_form(form.candidate, candidate); });

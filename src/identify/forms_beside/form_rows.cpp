@@ -91,6 +91,11 @@ void FormRows::take_in(const Dataset& data, const Vector& noise, int threads,
     const auto k = static_cast<Index>(i % states);
     smooth(data.trajectories[i / states], k, noise[k], parts[i / states].first);
   });
+  if (data.has_derivatives()) {
+    for (std::size_t i = 0; i < parts.size(); ++i)
+      rates_.middleRows(parts[i].first, parts[i].samples) = data.trajectories[i].derivatives;
+    states_.resize(0, 0);
+  }
   for (Part& part : parts) {
     if (part.projection.rows() == 0) continue;
     rows_ += part.projection.rows();
@@ -157,6 +162,7 @@ Matrix FormRows::projected(const Matrix& samples) const {
 }
 
 Vector FormRows::target(Index state) const {
+  if (states_.size() == 0) return projected(rates_.col(state));
   const Matrix values = states_.col(state);
   return projected_by(values, [](const Projection& p) -> const SparseRows& { return p.rates; });
 }

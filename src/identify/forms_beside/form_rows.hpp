@@ -14,8 +14,9 @@ namespace lacuna {
 
 /// The weak form of a dataset with its rows at hand, K x columns, so that one form more costs
 /// one column. Rows are whitened: white noise sigma of a state is white noise sigma of its
-/// target (see WeakForm). Test functions are as wide as the noise asks for, and not so wide
-/// that few rows are left.
+/// target (see WeakForm). Where rates are measured, the target is their mean with the weights of
+/// the terms, without an error of quadrature. Test functions are as wide as the noise asks for,
+/// and not so wide that few rows are left.
 class FormRows {
  public:
   /// @param noise of each state: forms are evaluated at smoothed samples, because noise in an
@@ -68,8 +69,8 @@ class FormRows {
 
   Variables variables_;
   Matrix slots_;   ///< samples x variables, where forms are evaluated
-  Matrix states_;  ///< samples x m, as measured
-  Matrix rates_;   ///< samples x m, smoothed
+  Matrix states_;  ///< samples x m, as measured; none where rates are measured
+  Matrix rates_;   ///< samples x m, as measured, or smoothed
   std::vector<Part> parts_;
   Index rows_ = 0;
   std::map<std::string, Vector> known_;  ///< columns of the library, by names of terms

@@ -2,6 +2,8 @@
 #include "identify/forms_beside/identify_with_forms.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <iterator>
 #include <optional>
 #include <utility>
 
@@ -9,6 +11,7 @@
 #include "extended_pipeline.hpp"
 #include "identify/forms_beside/function_forms.hpp"
 #include "identify/forms_beside/missing_forms.hpp"
+#include "product_forms.hpp"
 
 namespace lacuna {
 namespace {
@@ -61,6 +64,12 @@ struct FormsTask {
   const Dataset& data;                                    ///< the excerpt
   const FormOptions& options;
   const RunContext& context;
+
+  /// A fraction of a rate that is no form: errors of solvers, of measured rates rounding.
+  double negligible() const {
+    constexpr double kRounding = 1e-8;
+    return data.has_derivatives() ? kRounding : options.worth_asking;
+  }
 
   /// @param part of the search, from 0 to 1, that begins with an equation.
   void report(double part) const { context.report("searching forms", part); }
@@ -194,6 +203,71 @@ bool is_better(const FormsTask& task, const Extension& with,
          terms_of(with.result) <= terms_of(without);
 }
 
+/// Whether an equation leaves something: more than the noise, or where no noise is seen more
+/// than errors of solvers.
+bool leaves_something(const FormsTask& task, const IdentificationResult& result,
+                      std::size_t equation) {
+  const EquationFit& fit = result.fit[equation];
+  if (task.candidates[equation].empty() || fit.identity) return false;
+  if (task.pipeline.models().sees_noise_of(equation)) return !fit.fits_to_noise.value_or(true);
+  return fit.residual_rms > task.negligible() * fit.target_rms;
+}
+
+std::size_t forms_of(const Extension& model) {
+  std::size_t count = 0;
+  for (const EquationForms& equation : model.equations) count += equation.forms.size();
+  return count;
+}
+
+/// Whether compositions have made a model better: by Schwarz' criterion with ln(candidates) for
+/// each form, the penalty of its choice; and it fits now, or residuals are halved, and halved
+/// again by each parameter more.
+bool is_worth_composing(const FormsTask& task, const Extension& with, const Extension& without,
+                        std::size_t candidates) {
+  const double gain = -task.pipeline.models().excess(with.result, without.result);
+  const auto n = static_cast<double>(task.data.samples());
+  const auto over = [](std::size_t a, std::size_t b) {
+    return a > b ? static_cast<double>(a - b) : 0.0;
+  };
+  const double more = over(with.numbers(), without.numbers());
+  const double choices =
+      over(forms_of(with), forms_of(without)) * std::log(static_cast<double>(candidates));
+  const double penalty =
+      parameter_penalty(n * static_cast<double>(task.data.state_count())) * more;
+  if (!(2.0 * n * gain > penalty + 2.0 * choices)) return false;
+  if (is_known_to_fit(with.result) && !is_known_to_fit(without.result)) return true;
+  return gain > std::log(2.0) * (1.0 + more);
+}
+
+void append(std::vector<Candidate> more, std::vector<Candidate>& all) {
+  std::move(more.begin(), more.end(), std::back_inserter(all));
+}
+
+/// A model with compositions and forcing in the equations that leave something without.
+Extension with_compositions(const FormsTask& simple, Extension found) {
+  std::vector<std::vector<Candidate>> candidates = simple.candidates;
+  const Scope scope = make_scope(found.result.model, simple.data, found.result.noise);
+  const std::vector<Term>& library = simple.pipeline.library().terms;
+  const FormSearch& search = simple.pipeline.search();
+  std::vector<EquationForms> equations = found.equations;
+  std::size_t tried = 0;
+  for (std::size_t k = 0; k < candidates.size(); ++k) {
+    if (!leaves_something(simple, found.result, k)) continue;
+    simple.report(0.5 + 0.5 * simple.fraction(k));
+    const auto state = static_cast<Index>(k);
+    append(composed_forms(scope, state), candidates[k]);
+    append(search.tones(scope, state, library), candidates[k]);
+    tried = std::max(tried, candidates[k].size());
+    equations[k] = search.recomposed(equations[k], candidates[k], library,
+                                     simple.negligible());
+  }
+  if (tried == 0) return found;
+  const FormsTask task{simple.pipeline, candidates, simple.data, simple.options,
+                       simple.context};
+  Extension other = plain_model(task, std::move(equations));
+  return is_worth_composing(task, other, found, tried) ? std::move(other) : std::move(found);
+}
+
 /// Whether there are rows enough to distinguish forms from the library.
 bool has_rows_for_forms(const ExtendedPipeline& pipeline) {
   return pipeline.search().rows() > 2 * pipeline.library().size();
@@ -223,7 +297,8 @@ IdentificationResult with_forms_beside(const RecordStream& records, const Pipeli
   const auto candidates = candidates_for(extended, data, effects, alone);
   const FormsTask task{extended, candidates, data, options, context};
   Extension with = with_forms_beside(task, alone);
-  if (!is_better(task, with, alone)) return alone;
+  if (!is_better(task, with, alone)) with = {alone, kept_in(alone, bare_equations(task))};
+  with = with_compositions(task, std::move(with));
   if (with.has_forms()) with.result.library_alone = std::move(alone.model);
   return std::move(with.result);
 }

@@ -4,10 +4,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 #include "core/base/parallel.hpp"
 #include "form_problem.hpp"
+#include "product_forms.hpp"
 #include "rational_forms.hpp"
 
 namespace lacuna {
@@ -67,16 +69,84 @@ std::vector<Candidate> FormSearch::fractions(const Scope& scope, Index equation,
                         problem_->context());
 }
 
+std::vector<Candidate> FormSearch::tones(const Scope& scope, Index equation,
+                                         const std::vector<Term>& library) const {
+  // A fact of the search: further peaks are sidelobes, or tones for a later round.
+  constexpr std::size_t kPeaks = 3;
+  return forcing_forms(scope, problem_->all_rows(), {equation, library, {}}, kPeaks,
+                       problem_->context());
+}
+
+EquationForms FormSearch::recomposed(const EquationForms& equation,
+                                     const std::vector<Candidate>& candidates,
+                                     const std::vector<Term>& library,
+                                     double negligible) const {
+  const Index k = equation.equation;
+  const auto most_forms = static_cast<std::size_t>(problem_->options().most_forms);
+  const double solver =
+      negligible * negligible * problem_->all_rows().target(k).squaredNorm();
+  const double least = std::max(solver, problem_->residual_noise(k));
+  EquationForms whole{k, library, {}};
+  if (problem_->left(whole) <= least) return whole;
+  whole.forms = equation.forms;
+  const std::size_t known = whole.forms.size();
+  whole = extended(std::move(whole), candidates, known + most_forms, least);
+  const double same = problem_->same_as(problem_->left(whole), problem_->residual_noise(k));
+  const Limit limit{std::max(same, solver), 0.0, whole.parameters()};
+  if (whole.forms.size() == known && problem_->left(equation) <= limit.left) return equation;
+  Trial best{equation, std::numeric_limits<double>::infinity()};
+  // Beside a library many functions leave the same: which one needs the least of it?
+  const auto consider = [&](const EquationForms& others) {
+    const Trial few = fewest_beside(others, candidates, limit);
+    if (std::isfinite(few.left) && (!std::isfinite(best.left) || Limit::prefers(few, best)))
+      best = few;
+  };
+  if (whole.forms.size() == known) consider(whole);
+  for (std::size_t place = known; place < whole.forms.size(); ++place) {
+    EquationForms others = whole;
+    others.forms.erase(others.forms.begin() + static_cast<std::ptrdiff_t>(place));
+    consider(others);
+  }
+  return std::isfinite(best.left) ? refitted(best.equation) : equation;
+}
+
+Trial FormSearch::fewest_beside(const EquationForms& others,
+                                const std::vector<Candidate>& candidates,
+                                const Limit& limit) const {
+  std::vector<Trial> trials = problem_->with_each(others, candidates);
+  // A form that is fitted roughly may still come within the limit: `thinned()` fits it.
+  constexpr double kRoughly = 4.0;
+  std::erase_if(trials, [&](const Trial& t) { return !(t.left <= kRoughly * limit.left); });
+  const auto tried = static_cast<std::size_t>(problem_->options().thinned);
+  if (trials.size() > tried)
+    trials.erase(trials.begin() + static_cast<std::ptrdiff_t>(tried), trials.end());
+  parallel_for(trials.size(), problem_->context().threads, [&](std::size_t i) {
+    const MissingForm form = trials[i].equation.forms.back();
+    trials[i] = problem_->chosen(others, form, limit);
+  });
+  Trial best{others, std::numeric_limits<double>::infinity()};
+  for (const Trial& trial : trials)
+    if (std::isfinite(trial.left) && (!std::isfinite(best.left) || Limit::prefers(trial, best)))
+      best = trial;
+  return best;
+}
+
 EquationForms FormSearch::with_missing_forms(EquationForms equation,
                                              const std::vector<Candidate>& candidates,
                                              std::size_t most_forms) const {
-  const Index k = equation.equation;
   // A mean of squares of noise is known to sqrt(2 / rows) of it.
   const double scatter =
       problem_->options().significance * std::sqrt(2.0 / static_cast<double>(problem_->rows()));
+  const double least = (1.0 + scatter) * problem_->residual_noise(equation.equation);
+  return extended(std::move(equation), candidates, most_forms, least);
+}
+
+EquationForms FormSearch::extended(EquationForms equation,
+                                   const std::vector<Candidate>& candidates,
+                                   std::size_t most_forms, double least) const {
+  const Index k = equation.equation;
   double left = problem_->left(equation);
-  while (equation.forms.size() < most_forms &&
-         left > (1.0 + scatter) * problem_->residual_noise(k)) {
+  while (equation.forms.size() < most_forms && left > least) {
     const std::vector<Trial> trials = problem_->with_each(equation, candidates);
     if (trials.empty()) break;
     const double same = problem_->same_as(trials.front().left, problem_->residual_noise(k));

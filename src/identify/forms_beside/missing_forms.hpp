@@ -33,6 +33,8 @@ struct EquationForms {
 };
 
 class FormProblem;
+struct Trial;
+struct Limit;
 
 /// Which plain forms may take the place of others.
 enum class Plainness {
@@ -69,6 +71,18 @@ class FormSearch {
   /// equation, as further candidates.
   std::vector<Candidate> fractions(const Scope& scope, Index equation,
                                    const std::vector<Term>& library) const;
+
+  /// Forcing from outside (forcing_forms()) beside a library, as further candidates.
+  std::vector<Candidate> tones(const Scope& scope, Index equation,
+                               const std::vector<Term>& library) const;
+
+  /// Puts forms beside the whole library and the forms of an equation, and then drops what is
+  /// not needed to leave as little: what other forms or a Taylor series stood for goes.
+  /// @param negligible fraction of the target (rms) that is no form: errors of solvers.
+  /// @return the library alone where it leaves no more than that.
+  EquationForms recomposed(const EquationForms& equation,
+                           const std::vector<Candidate>& candidates,
+                           const std::vector<Term>& library, double negligible) const;
 
   /// Takes in the candidate that leaves least beside what is there, the plainest of those that
   /// leave the same, as long as more than noise is left and forms take something away.
@@ -112,6 +126,15 @@ class FormSearch {
   EquationForms refitted(EquationForms equation) const;
 
  private:
+  /// Takes in candidates as with_missing_forms(), as long as more than `least` is left.
+  EquationForms extended(EquationForms equation, const std::vector<Candidate>& candidates,
+                         std::size_t most_forms, double least) const;
+
+  /// The equation with one more form of the candidates that needs the fewest parameters to stay
+  /// within a limit; infinite where none does.
+  Trial fewest_beside(const EquationForms& others, const std::vector<Candidate>& candidates,
+                      const Limit& limit) const;
+
   std::unique_ptr<const FormProblem> problem_;
 };
 

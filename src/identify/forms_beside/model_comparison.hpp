@@ -33,11 +33,14 @@ class ModelComparison {
   bool is_ahead(const IdentificationResult& one, const IdentificationResult& other,
                 double same) const;
 
+  /// Whether the samples of a state show the noise by which its equation is judged.
+  bool sees_noise_of(std::size_t equation) const { return seen_[equation]; }
+
  private:
   double excess_in(std::size_t equation, const IdentificationResult& of,
                    const IdentificationResult& over) const;
 
-  std::vector<bool> seen_;  ///< whether samples show the noise by which an equation is judged
+  std::vector<bool> seen_;
 };
 
 }  // namespace lacuna

@@ -23,7 +23,7 @@ struct Denominator {
 };
 
 /// Shapes by which numbers are named in a form.
-constexpr const char* kNames[] = {"a", "b"};
+constexpr const char* kNames[] = {"a", "b", "c"};
 
 /// The formula with names or numbers for q.
 Expression formula_of(const Denominator& denominator, const std::vector<Expression>& numbers) {
@@ -138,12 +138,9 @@ double score_of(const Denominator& denominator, const Numerators& numerators,
       .score;
 }
 
-/// The best denominators of an equation, each with its numbers.
-std::vector<Denominator> best_denominators(const Scope& scope, const FormRows& rows,
-                                           const EquationForms& equation, std::size_t count,
-                                           const RunContext& context) {
-  const Numerators numerators = numerators_of(equation, rows);
-  std::vector<Denominator> all = denominators_of(amounts(scope, rows));
+/// Rates denominators, the best first.
+void rate(std::vector<Denominator>& all, const Numerators& numerators, const FormRows& rows,
+          const RunContext& context) {
   parallel_for(all.size(), context.threads, [&](std::size_t i) {
     context.check_stop();
     all[i].numbers = implicit_numbers(all[i], numerators, rows);
@@ -152,7 +149,45 @@ std::vector<Denominator> best_denominators(const Scope& scope, const FormRows& r
   std::stable_sort(all.begin(), all.end(), [](const Denominator& a, const Denominator& b) {
     return a.score < b.score;
   });
+}
+
+/// 1 + q u + r v + s w from the best of three monomials.
+std::vector<Denominator> of_four_monomials(const std::vector<Denominator>& best,
+                                           const std::vector<Expression>& monomials) {
+  // A fact of the search: what is not among the first with three is not with four.
+  constexpr std::size_t kGoOn = 3, kMonomials = 3;
+  std::vector<Denominator> all;
+  std::size_t gone_on = 0;
+  for (const Denominator& denominator : best) {
+    const auto& own = denominator.monomials;
+    if (own.size() != kMonomials || !is_one(own[0]) || gone_on++ == kGoOn) continue;
+    for (const Expression& monomial : monomials) {
+      if (std::find(own.begin(), own.end(), monomial) != own.end()) continue;
+      all.push_back({own, {}, 0.0});
+      all.back().monomials.push_back(monomial);
+    }
+  }
+  return all;
+}
+
+/// The best denominators of an equation, each with its numbers.
+std::vector<Denominator> best_denominators(const Scope& scope, const FormRows& rows,
+                                           const EquationForms& equation, std::size_t count,
+                                           const RunContext& context) {
+  const Numerators numerators = numerators_of(equation, rows);
+  const std::vector<Expression> monomials = amounts(scope, rows);
+  std::vector<Denominator> all = denominators_of(monomials);
+  rate(all, numerators, rows, context);
+  std::vector<Denominator> longer = of_four_monomials(all, monomials);
+  rate(longer, numerators, rows, context);
+  // They stand beside the others: with a number more, of a denominator that needs none, they
+  // would take the places of what is right.
+  constexpr std::size_t kLonger = 2;
+  if (longer.size() > kLonger) longer.resize(kLonger);
   if (all.size() > count) all.resize(count);
+  const double penalty = parameter_penalty(static_cast<double>(rows.rows()));
+  for (const Denominator& one : longer)
+    if (!all.empty() && one.score + penalty < all.front().score) all.push_back(one);
   return all;
 }
 

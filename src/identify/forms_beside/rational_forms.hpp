@@ -11,8 +11,9 @@
 
 namespace lacuna {
 
-/// Fractions m / Q with a denominator in several variables, for one equation: Q = 1 + a u + b v
-/// or 1 + a u or u + a v with monomials u, v that are not negative in the records.
+/// Fractions m / Q with a denominator in several variables, for one equation: Q = 1 + a u + b v,
+/// 1 + a u or u + a v, or 1 + a u + b v + c w where that is better by more than the number costs,
+/// with monomials u, v, w that are not negative in the records.
 ///
 /// Denominators are found in the implicit form, which is linear in all numbers: with w = dx/dt,
 ///   w u_0 = sum_i p_i theta_i - sum_j q_j w u_j,

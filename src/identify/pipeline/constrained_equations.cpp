@@ -24,6 +24,32 @@ CoefficientPlaces places_of(const IdentificationResult& result, const TermLibrar
   return places;
 }
 
+/// The places of a model with those that constraints ask for: of a bound that absent terms do not
+/// satisfy, all.
+CoefficientPlaces places_under(const EquationLibraries& libraries,
+                               const IdentificationResult& result) {
+  CoefficientPlaces places = places_of(result, libraries.library);
+  for (const CoefficientConstraint& bound : libraries.bounds) {
+    if (!(bound.value < 0.0)) continue;
+    const CoefficientPlaces all = constrained_coefficients({bound});
+    const bool is_there = std::any_of(all.begin(), all.end(), [&](const auto& place) {
+      return std::find(places.begin(), places.end(), place) != places.end();
+    });
+    if (!is_there) places.insert(places.end(), all.begin(), all.end());
+  }
+  return closure(libraries.constraints, std::move(places));
+}
+
+/// Whether a coefficient is 0 because it alone is bounded by 0.
+bool is_held_at_zero(const EquationLibraries& libraries, const std::vector<Index>& active,
+                     const std::pair<Index, Index>& place) {
+  return std::any_of(active.begin(), active.end(), [&](Index number) {
+    const CoefficientConstraint& bound = libraries.bounds[static_cast<std::size_t>(number)];
+    return bound.summands.size() == 1 && bound.value == 0.0 &&
+           bound.summands[0].equation == place.first && bound.summands[0].term == place.second;
+  });
+}
+
 /// The terms of one equation among places.
 TermSet terms_of(const CoefficientPlaces& places, Index equation) {
   TermSet terms;
@@ -73,6 +99,18 @@ void enter_in_trail(const std::string& equation, const WeightedTerm& summand,
                .value = summand.coefficient};
 }
 
+/// Notes that a term left because its coefficient would be beyond its bound.
+void leave_trail(const std::string& equation, const Term& term,
+                 std::vector<TrailEntry>& trail) {
+  for (TrailEntry& entry : trail)
+    if (entry.equation == equation && entry.term == term.name())
+      entry = {.equation = equation,
+               .term = entry.term,
+               .kept = false,
+               .stage = "constraint",
+               .quantity = "coefficient"};
+}
+
 WeightedTerm summand_of(const Term& term, double coefficient, double variance) {
   WeightedTerm summand{term, coefficient};
   const double error = std::sqrt(variance);
@@ -84,18 +122,20 @@ WeightedTerm summand_of(const Term& term, double coefficient, double variance) {
 
 }  // namespace
 
-void satisfy_constraints(const LeastSquaresSystem& system, const EquationLibraries& libraries,
-                         IdentificationResult& result) {
-  if (libraries.constraints.empty()) return;
-  const CoefficientPlaces places =
-      closure(libraries.constraints, places_of(result, libraries.library));
+std::vector<std::size_t> satisfy_constraints(const LeastSquaresSystem& system,
+                                             const EquationLibraries& libraries,
+                                             IdentificationResult& result) {
+  if (!libraries.is_constrained()) return {};
+  const CoefficientPlaces places = places_under(libraries, result);
   const ConstraintMatrix constraints = constraint_matrix(libraries.constraints, places);
-  if (!is_feasible(constraints.a, constraints.b))
+  const ConstraintMatrix bounds = constraint_matrix(libraries.bounds, places);
+  const JointProblem joint = joint_problem(system, places, result.model.dimension());
+  const auto found = inequality_least_squares(joint.r, joint.c, constraints.a, constraints.b,
+                                              bounds.a, bounds.b);
+  if (!found)
     throw ConfigError("constraints", "the terms of the model cannot satisfy them",
                       "leave some of them out, or use --degree or --add for more terms");
-  const JointProblem joint = joint_problem(system, places, result.model.dimension());
-  const ConstrainedSolution solution =
-      constrained_least_squares(joint.r, joint.c, constraints.a, constraints.b);
+  const ConstrainedSolution& solution = found->solution;
   std::vector<Equation> equations = result.model.equations();
   for (std::size_t k = 0; k < equations.size(); ++k)
     if (!result.fit[k].identity) equations[k].clear();
@@ -103,10 +143,37 @@ void satisfy_constraints(const LeastSquaresSystem& system, const EquationLibrari
     const auto k = static_cast<std::size_t>(places[i].first);
     const Term& term = libraries.library.terms[static_cast<std::size_t>(places[i].second)];
     const auto at = static_cast<Index>(i);
+    if (is_held_at_zero(libraries, found->active, places[i])) {
+      leave_trail(result.fit[k].equation, term, result.trail);
+      continue;
+    }
     equations[k].push_back(summand_of(term, solution.h[at], solution.variances[at]));
     enter_in_trail(result.fit[k].equation, equations[k].back(), result.trail);
   }
   result.model = result.model.with_equations(std::move(equations));
+  return {found->active.begin(), found->active.end()};
+}
+
+std::optional<std::size_t> most_violated(const EquationLibraries& libraries,
+                                         const OdeModel& model) {
+  constexpr double kRounding = 1e-9;  // of the summands
+  std::optional<std::size_t> worst;
+  double most = kRounding;
+  for (std::size_t i = 0; i < libraries.bounds.size(); ++i) {
+    const CoefficientConstraint& bound = libraries.bounds[i];
+    double sum = -bound.value, size = std::abs(bound.value);
+    for (const ConstrainedCoefficient& summand : bound.summands) {
+      const Term& term = libraries.library.terms[static_cast<std::size_t>(summand.term)];
+      const double value =
+          summand.factor * model.coefficient(summand.equation, term.name());
+      sum += value;
+      size += std::abs(value);
+    }
+    if (!(size > 0.0) || !(sum / size > most)) continue;
+    most = sum / size;
+    worst = i;
+  }
+  return worst;
 }
 
 }  // namespace lacuna

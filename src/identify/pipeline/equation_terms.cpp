@@ -42,7 +42,7 @@ TermSet numbers_of(const std::vector<std::string>& formulas, TermLibrary& librar
   return numbers;
 }
 
-/// A constraint by numbers; its terms enter the libraries of their equations.
+/// A constraint by numbers; terms of an equality enter the libraries of their equations.
 CoefficientConstraint numbered(const EquationConstraint& constraint, const Dataset& data,
                                EquationLibraries& libraries) {
   CoefficientConstraint result{{}, constraint.value};
@@ -53,7 +53,8 @@ CoefficientConstraint numbered(const EquationConstraint& constraint, const Datas
                         "constrain other equations");
     const Index term = numbers_of({named.term}, libraries.library).front();
     TermSet& allowed = libraries.allowed[static_cast<std::size_t>(state)];
-    if (!std::binary_search(allowed.begin(), allowed.end(), term))
+    if (constraint.relation == ConstraintRelation::Equal &&
+        !std::binary_search(allowed.begin(), allowed.end(), term))
       allowed.insert(std::lower_bound(allowed.begin(), allowed.end(), term), term);
     result.summands.push_back({state, term, named.factor});
   }
@@ -66,6 +67,16 @@ void enter(CoefficientConstraint constraint, EquationLibraries& libraries) {
     return libraries.constraints.push_back(std::move(constraint));
   const ConstrainedCoefficient& only = constraint.summands.front();
   std::erase(libraries.allowed[static_cast<std::size_t>(only.equation)], only.term);
+}
+
+/// The same of an inequality, as a sum that is at most its value.
+CoefficientConstraint as_bound(const EquationConstraint& constraint, const Dataset& data,
+                               EquationLibraries& libraries) {
+  CoefficientConstraint bound = numbered(constraint, data, libraries);
+  if (constraint.relation == ConstraintRelation::AtMost) return bound;
+  bound.value = -bound.value;
+  for (ConstrainedCoefficient& summand : bound.summands) summand.factor = -summand.factor;
+  return bound;
 }
 
 /// A constraint on those of its terms that are in the libraries of their equations.
@@ -137,13 +148,23 @@ EquationLibraries equation_libraries(TermLibrary basis, const Dataset& data,
     result.allowed[k] = numbers_of(equation.terms, result.library);
     result.own[k] = true;
   }
-  for (const EquationConstraint& constraint : pipeline.constraints)
-    enter(numbered(constraint, data, result), result);
+  for (const EquationConstraint& constraint : pipeline.constraints) {
+    if (constraint.relation == ConstraintRelation::Equal)
+      enter(numbered(constraint, data, result), result);
+    else
+      result.bounds.push_back(as_bound(constraint, data, result));
+  }
   if (pipeline.energy_preserving)
     for (const EquationConstraint& constraint : energy_preserving(data.states))
       add_known(constraint, data, result);
   check_feasible(result.constraints);
   return result;
+}
+
+EquationLibraries with_active(EquationLibraries libraries,
+                              const std::vector<std::size_t>& active) {
+  for (const std::size_t number : active) enter(libraries.bounds[number], libraries);
+  return libraries;
 }
 
 TermSet common_terms(const TermSet& a, const TermSet& b) {

@@ -17,7 +17,16 @@ struct EquationLibraries {
   std::vector<TermSet> allowed = {};  ///< of each state; empty: all terms for all
   std::vector<bool> own = {};         ///< whether the equation's library was named; or empty
   std::vector<CoefficientConstraint> constraints = {};
+  std::vector<CoefficientConstraint> bounds = {};  ///< sums that are at most the value
+
+  /// Whether coefficients have to satisfy anything.
+  bool is_constrained() const { return !constraints.empty() || !bounds.empty(); }
 };
+
+/// The libraries in which some of the bounds, by their numbers, are equalities: a coefficient
+/// that is 0 then is that of a term which the equation may not have.
+EquationLibraries with_active(EquationLibraries libraries,
+                              const std::vector<std::size_t>& active);
 
 /// The library of the basis, widened by the terms that equations and constraints name.
 /// Equations without a library of their own have that of the basis and the terms of their

@@ -292,9 +292,10 @@ double farthest(const IdentificationResult& result) {
 }
 
 /// Fits a result to the trajectories, where that leads to a model that explains more than none.
-void refine_result(const Run& run, IdentificationResult& result) {
+void refine_result(const Run& run, const EquationLibraries& libraries,
+                   IdentificationResult& result) {
   IdentificationResult refined = result;
-  if (apply_refiner(*run.pipeline.refiner, {run.data, run.analysed}, run.libraries, refined,
+  if (apply_refiner(*run.pipeline.refiner, {run.data, run.analysed}, libraries, refined,
                     run.refining.alone())) {
     measure_residuals(run, refined);
     // Beyond 1 no model says more. Twice that, for a model has noise in its terms too.
@@ -313,9 +314,26 @@ void refine_result(const Run& run, IdentificationResult& result) {
   judge_fits(result);
 }
 
-/// Refines a result as long as there is time. @return whether there was.
-bool refine_in_time(const Run& run, IdentificationResult& result) {
-  return run_stage(result.stages, kTrajectoriesStage, [&] { refine_result(run, result); });
+/// Refines a result as long as there is time, under equalities in the place of bounds that hold
+/// as such; again with one more where trajectories violate it. @return whether there was time.
+bool refine_in_time(const Run& run, std::vector<std::size_t> active,
+                    IdentificationResult& result) {
+  for (;;) {
+    const EquationLibraries libraries = with_active(run.libraries, active);
+    IdentificationResult refined = result;
+    const bool in_time = run_stage(refined.stages, kTrajectoriesStage,
+                                   [&] { refine_result(run, libraries, refined); });
+    const auto violated = most_violated(run.libraries, refined.model);
+    const bool is_new =
+        violated && std::find(active.begin(), active.end(), *violated) == active.end();
+    if (!in_time || !is_new) {
+      result = std::move(refined);
+      return in_time;
+    }
+    active.push_back(*violated);
+    satisfy_constraints(run.system, with_active(run.libraries, active), result);
+    measure_residuals(run, result);
+  }
 }
 
 /// What the stages before the refiner have to warn of that is so in the model.
@@ -347,11 +365,11 @@ IdentificationResult run_equations(const Run& run) {
     result.fit.push_back(std::move(outcome.fit));
     append(result.trail, std::move(outcome.trail));
   }
-  satisfy_constraints(run.system, run.libraries, result);
-  if (!run.libraries.constraints.empty()) measure_residuals(run, result);
+  std::vector<std::size_t> active = satisfy_constraints(run.system, run.libraries, result);
+  if (run.libraries.is_constrained()) measure_residuals(run, result);
   note_noise_floors(run, result);
   result.stages.push_back({kEquationsStage});
-  if (run.context.leads() && !refine_in_time(run, result)) judge_fits(result);
+  if (run.context.leads() && !refine_in_time(run, std::move(active), result)) judge_fits(result);
   std::vector<std::string> first = warnings_of(std::move(outcomes), result.model);
   append(first, std::move(result.warnings));
   result.warnings = std::move(first);

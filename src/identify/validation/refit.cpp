@@ -57,18 +57,27 @@ bool have_same_terms(const OdeModel& a, const OdeModel& b) {
 
 }  // namespace
 
-std::optional<OdeModel> refitted_on(const Dataset& data, const OdeModel& model,
-                                    const Pipeline& pipeline, const RunContext& context) {
+std::optional<IdentificationResult> refitted_result_on(const Dataset& data,
+                                                       const OdeModel& model,
+                                                       const Pipeline& pipeline,
+                                                       const RunContext& context) {
   for (Index k = 0; k < model.dimension(); ++k)
     if (!data.rate_state(k) && model.equations()[static_cast<std::size_t>(k)].empty())
       return std::nullopt;
   try {
-    OdeModel fitted = identify(data, fitting_stages(pipeline, data, model), context).model;
-    if (!have_same_terms(model, fitted)) return std::nullopt;
+    IdentificationResult fitted =
+        identify(data, fitting_stages(pipeline, data, model), context);
+    if (!have_same_terms(model, fitted.model)) return std::nullopt;
     return fitted;
   } catch (const DataError&) {
     return std::nullopt;  // stretches that are too short for the stages
   }
+}
+
+std::optional<OdeModel> refitted_on(const Dataset& data, const OdeModel& model,
+                                    const Pipeline& pipeline, const RunContext& context) {
+  auto fitted = refitted_result_on(data, model, pipeline, context);
+  return fitted ? std::optional(std::move(fitted->model)) : std::nullopt;
 }
 
 }  // namespace lacuna

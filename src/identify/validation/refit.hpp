@@ -8,9 +8,15 @@
 
 namespace lacuna {
 
-/// The model with the coefficients that the stages of a pipeline give it on other records, as
+/// A model with the coefficients that the stages of a pipeline give it on other records, as
 /// they did on the first: same formulation, same constraints, fitted to the trajectories where
 /// that was done. Nothing where these records do not determine all of its terms.
+std::optional<IdentificationResult> refitted_result_on(const Dataset& data,
+                                                       const OdeModel& model,
+                                                       const Pipeline& pipeline,
+                                                       const RunContext& context);
+
+/// The model of that alone.
 std::optional<OdeModel> refitted_on(const Dataset& data, const OdeModel& model,
                                     const Pipeline& pipeline, const RunContext& context);
 

@@ -107,6 +107,15 @@ Json relation_to_json(const Relation& relation) {
           {"sentence", relation_sentence(relation)}};
 }
 
+Json alternative_to_json(const AlternativeModel& alternative) {
+  return {{"model", Json::parse(format_model(alternative.model))},
+          {"criterion", alternative.criterion},
+          {"weight", alternative.weight},
+          {"held_out_error", optional_to_json(alternative.held_out)},
+          {"without", alternative.without},
+          {"with", alternative.with}};
+}
+
 }  // namespace
 
 std::string format_json(const IdentificationReport& report) {
@@ -129,6 +138,8 @@ std::string format_json(const IdentificationReport& report) {
   json["validation"] =
       result.validation ? validation_to_json(*result.validation) : Json(nullptr);
   json["relations"] = list_to_json(result.relations, relation_to_json);
+  if (report.alternatives)
+    json["alternatives"] = list_to_json(*report.alternatives, alternative_to_json);
   json["sync"] = report.sync ? sync_to_json(*report.sync) : Json(nullptr);
   json["stages"] = stages_json(result.stages);
   json["answer_from"] = answer_from(result.stages);

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "core/base/text.hpp"
 #include "folded_text.hpp"
 #include "identification_details.hpp"
 #include "readable.hpp"
@@ -101,11 +102,33 @@ std::string warnings_section(const std::vector<std::string>& warnings) {
   return text;
 }
 
+/// "y: x*z; z: x" of names of terms; a dash where there are none.
+std::string listed(const std::vector<std::string>& names) {
+  return names.empty() ? "-" : join(names, "; ");
+}
+
+/// The models of other structure as a table, with how likely they are.
+std::string alternatives_section(const IdentificationReport& report) {
+  if (!report.alternatives) return "";
+  if (report.alternatives->empty())
+    return "\nAlternatives: none that a term less, more or another would make\n";
+  std::vector<std::vector<std::string>> rows{
+      {"criterion", "weight", "held-out error", "without", "with"}};
+  for (const AlternativeModel& one : *report.alternatives)
+    rows.push_back({format_number(one.criterion, 3), percent(one.weight),
+                    one.held_out ? percent(*one.held_out) : "", listed(one.without),
+                    listed(one.with)});
+  return "\nAlternatives that the record cannot distinguish from this model (criterion:\n"
+         "  larger by 2 log likelihood and the penalty of terms)\n" +
+         text_table(rows);
+}
+
 }  // namespace
 
 std::string format_text(const IdentificationReport& report, const TextOptions& options) {
-  const std::string first =
-      verdict_section(report) + "\n" + equations_section(report.result.model, options);
+  const std::string first = verdict_section(report) + "\n" +
+                            equations_section(report.result.model, options) +
+                            alternatives_section(report);
   if (options.explain) return first + details_text(report, options.digits);
   const std::string left_out = left_out_line(report.result.stages);
   return first + warnings_section(report.result.warnings) +

@@ -26,11 +26,15 @@ struct NamedCoefficient {
   double factor = 1.0;
 };
 
-/// sum_i factor_i h_i = value, over coefficients of terms in equations. One summand alone fixes
-/// a coefficient.
+/// How a sum of coefficients compares with a value; both inequalities include the value.
+enum class ConstraintRelation { Equal, AtMost, AtLeast };
+
+/// sum_i factor_i h_i = value (<=, >=), over coefficients of terms in equations. One summand alone
+/// fixes a coefficient, or bounds it; terms of inequalities do not enter libraries of equations.
 struct EquationConstraint {
   std::vector<NamedCoefficient> summands;
   double value = 0.0;
+  ConstraintRelation relation = ConstraintRelation::Equal;
 };
 
 /// Constraints under which the quadratic part keeps the energy sum_i x_i^2: for every product

@@ -3,7 +3,9 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
+#include "lacuna/identify/alternatives/alternatives.hpp"
 #include "lacuna/identify/pipeline/pipeline.hpp"
 #include "lacuna/report/pages/sync_report.hpp"
 #include "lacuna/report/pages/text_options.hpp"
@@ -16,6 +18,8 @@ struct IdentificationReport {
   Pipeline pipeline;                    ///< what was used
   std::string asked = "{}";             ///< the configuration asked for, JSON text
   std::optional<SyncReport> sync = {};  ///< the verification against the record
+  /// Models of other structure that the records cannot distinguish from it, where they were sought.
+  std::optional<std::vector<AlternativeModel>> alternatives = {};
 };
 
 /// For people, on a screen of 80 x 40: the verdict, what it was tested on, equations with 95 %

@@ -194,6 +194,27 @@ TEST(Configuration, WhatIsGivenTwiceIsNamedTwice) {
                             "first as 'x: y = 1'", "keep one");
 }
 
+TEST(Configuration, ConstraintsAreEqualitiesOrBounds) {
+  Configuration configuration;
+  for (const char* text : {"x: y = 1", "y: x < 0", "y: x >= -3", "-2 y: z, x: z <= 4"})
+    configuration.add_constraint(text);
+  const auto found = configuration.build(default_registry()).constraints;
+  ASSERT_EQ(found.size(), 4u);
+  EXPECT_EQ(found[0].relation, ConstraintRelation::Equal);
+  EXPECT_EQ(found[1].relation, ConstraintRelation::AtMost);
+  EXPECT_EQ(found[1].summands[0].term, "x");
+  EXPECT_EQ(found[2].relation, ConstraintRelation::AtLeast);
+  EXPECT_EQ(found[2].value, -3.0);
+  EXPECT_EQ(found[3].relation, ConstraintRelation::AtMost);
+  ASSERT_EQ(found[3].summands.size(), 2u);
+  EXPECT_EQ(found[3].summands[0].factor, -2.0);
+  EXPECT_EQ(found[3].value, 4.0);
+  Configuration wrong;
+  wrong.add_constraint("y: x < z");
+  expect_error<ConfigError>([&] { wrong.build(default_registry()); }, "$.constraints[0]",
+                            "what stands behind < is no number", "w: u = 1");
+}
+
 TEST(Configuration, AKeyThatStandsTwiceHasAPath) {
   Configuration configuration;
   expect_error<ConfigError>(

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/QR>
 #include <cmath>
 #include <limits>
 
@@ -34,6 +35,20 @@ TEST(BaseColumns, OneColumnMoreLeavesWhatLeastSquaresLeaves) {
   EXPECT_NEAR(base.left_with(columns.col(2)), base.left(), 1e-12);
   EXPECT_NEAR(BaseColumns(Matrix(40, 0), target).left_with(more),
               residual_squares(more, target), 1e-12);
+}
+
+TEST(BaseColumns, APairLeavesWhatLeastSquaresLeavesAndHasItsCoefficients) {
+  const Matrix columns = noise(40, 5, 11);
+  const Vector first = noise(40, 1, 12), second = 30.0 * noise(40, 1, 13);
+  const Vector target = noise(40, 1, 14) + 2.0 * first - 0.5 * second;
+  const BaseColumns base(columns, target);
+  const BaseColumns::Pair pair = base.with_pair(first, second);
+  const Matrix all = joined(joined(columns, first), second);
+  EXPECT_NEAR(pair.left, residual_squares(all, target), 1e-11);
+  const Vector h = all.householderQr().solve(target);
+  EXPECT_NEAR(pair.first, h[5], 1e-11);
+  EXPECT_NEAR(pair.second, h[6], 1e-11);
+  EXPECT_NEAR(base.with_pair(columns.col(1), columns.col(2)).left, base.left(), 1e-11);
 }
 
 TEST(BaseColumns, WithoutTwoIsTheBestOfAllPairs) {

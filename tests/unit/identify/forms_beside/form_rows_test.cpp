@@ -39,6 +39,19 @@ TEST(FormRows, HoldWhereTheEquationDoes) {
   EXPECT_LT((columns.col(0) + rows.target(1)).norm(), 1e-6 * rows.target(1).norm());
 }
 
+TEST(FormRows, MeasuredRatesAreTheTargetWithoutAnErrorOfQuadrature) {
+  Dataset data = circle(101, 0.0);
+  Trajectory& record = data.trajectories[0];
+  record.derivatives = record.states;
+  record.derivatives.col(0) = record.states.col(1);
+  record.derivatives.col(1) = -record.states.col(0).array().cube().matrix();
+  const FormRows rows(data, Vector::Zero(2));
+  const Matrix columns = rows.columns({parse_expression("y"), parse_expression("x^3")});
+  EXPECT_LT((columns.col(0) - rows.target(0)).norm(), 1e-13 * rows.target(0).norm());
+  EXPECT_LT((columns.col(1) + rows.target(1)).norm(), 1e-13 * rows.target(1).norm());
+  EXPECT_EQ(rows.rate(0), record.derivatives.col(0));
+}
+
 TEST(FormRows, NoiseOfTheStateIsWhiteNoiseOfItsTarget) {
   const double sigma = 0.01;
   const FormRows rows(circle(4001, sigma), Vector::Constant(2, sigma));

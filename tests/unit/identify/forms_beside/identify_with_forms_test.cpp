@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cmath>
+#include <functional>
 
 #include "lacuna/cli/configuration/registry.hpp"
 #include "lacuna/dynamics/integration/runge_kutta.hpp"
@@ -68,6 +69,73 @@ TEST(IdentifyWithForms, FindsARateThatSaturates) {
     rate.evaluate(0.0, &x, nullptr, nullptr, &dxdt);
     EXPECT_NEAR(dxdt, 0.6 - 1.5 * x / (0.3 + x), 1e-6);
   }
+}
+
+/// A fraction of the rms of the rate of y that a model is off by, over a range of its own.
+double error_of(const OdeModel& model, const std::function<double(double, double, double)>& f) {
+  double off = 0.0, size = 0.0;
+  CompiledModel compiled = model.compile();
+  Vector rates(2);
+  for (double t = 0.0; t < 20.0; t += 0.37)
+    for (double x = -0.6; x < 0.7; x += 0.2)
+      for (double y = -0.5; y < 0.6; y += 0.25) {
+        const double truth = f(x, y, t);
+        const Eigen::Vector2d at(x, y);
+        compiled.evaluate(t, at.data(), nullptr, nullptr, rates.data());
+        off += std::pow(rates[1] - truth, 2);
+        size += truth * truth;
+      }
+  return off / size;
+}
+
+TEST(IdentifyWithForms, FindsForcingAndAFunctionThatAMonomialMultiplies) {
+  const Dataset data = record_of_equations({{{1.0, "y"}},
+                                            {{0.3, "sin(t)"},
+                                             {-0.5, "y^3"},
+                                             {-1.0, "x*y"},
+                                             {-5.0, "x*exp(0.5*x)"}}},
+                                           Eigen::Vector2d(0.2, 0.3), 0.01, 3000, 0.0);
+  const IdentificationResult found = identify_with_forms(data, algorithm1(), kEffects);
+  EXPECT_EQ(found.model.equations()[1].size(), 4u);
+  EXPECT_LT(error_of(found.model,
+                     [](double x, double y, double t) {
+                       return 0.3 * std::sin(t) - 0.5 * y * y * y - x * y -
+                              5.0 * x * std::exp(0.5 * x);
+                     }),
+            1e-6);
+}
+
+TEST(IdentifyWithForms, WhereRatesAreMeasuredATaylorSeriesIsNoAnswer) {
+  const auto force = [](double x, double y, double) {
+    return 0.8 * std::sin(x) - 0.5 * y * y * y - 0.2 * x * x * x - 0.5 * x * y -
+           x * std::cos(x);
+  };
+  Dataset data = record_of_equations({{{1.0, "y"}},
+                                      {{0.8, "sin(x)"},
+                                       {-0.5, "y^3"},
+                                       {-0.2, "x^3"},
+                                       {-0.5, "x*y"},
+                                       {-1.0, "x*cos(x)"}}},
+                                     Eigen::Vector2d(0.3, 0.3), 0.01, 3000, 0.0);
+  Trajectory& record = data.trajectories[0];
+  record.derivatives = record.states;
+  for (Index i = 0; i < record.samples(); ++i) {
+    const double x = record.states(i, 0), y = record.states(i, 1);
+    record.derivatives.row(i) << y, force(x, y, 0.0);
+  }
+  const IdentificationResult found = identify_with_forms(data, algorithm1(), kEffects);
+  EXPECT_LT(error_of(found.model, force), 1e-6);
+}
+
+TEST(IdentifyWithForms, FindsForcingBesideASpringThatHardens) {
+  const Dataset data = record_of_equations(
+      {{{1.0, "y"}}, {{1.0, "x"}, {-1.0, "x^3"}, {-0.2, "y"}, {0.3, "cos(1.2*t)"}}},
+      Eigen::Vector2d(0.5, 0.0), 0.08, 512, 0.0);
+  const IdentificationResult found = identify_with_forms(data, algorithm1(), kEffects);
+  EXPECT_EQ(terms_of(found.model, 0), std::vector<std::string>{"y"});
+  EXPECT_EQ(found.model.equations()[1].size(), 4u) << to_text(found.model, 4);
+  EXPECT_NEAR(found.model.coefficient(1, "x^3"), -1.0, 1e-6);
+  EXPECT_NEAR(found.model.coefficient(1, "y"), -0.2, 1e-6);
 }
 
 TEST(IdentifyWithForms, WhatOneStateGivesToTheNextIsOneFormInEach) {

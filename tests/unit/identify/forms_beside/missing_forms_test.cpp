@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "identify/forms_beside/function_forms.hpp"
+#include "identify/forms_beside/product_forms.hpp"
 #include "lacuna/bases/monomials.hpp"
 #include "lacuna/dynamics/integration/runge_kutta.hpp"
 #include "lacuna/dynamics/test_systems/measurement.hpp"
@@ -65,6 +66,29 @@ TEST(FormSearch, OneFormDoesTheWorkOfManyTerms) {
   ASSERT_EQ(few.forms.size(), 1u);
   EXPECT_EQ(few.forms[0].expression().to_string(), "sin(x)");
   EXPECT_EQ(few.parameters(), 1u);
+}
+
+TEST(FormSearch, WhatATaylorSeriesStoodForIsOneComposition) {
+  const Oscillator c("x*exp(x/3)");
+  const FormSearch search(c.data, c.sigma);
+  const EquationForms series{1, {c.library.terms[1], c.library.terms[3]}, {}};
+  const EquationForms found =
+      search.recomposed(series, composed_forms(*c.scope, 1), c.library.terms, 1e-6);
+  EXPECT_LT(search.left(found), 1e-4 * search.left(series));
+  EXPECT_TRUE(found.terms.empty());
+  ASSERT_EQ(found.forms.size(), 1u);
+  EXPECT_EQ(found.forms[0].candidate.form.to_string(), "x*exp(x/a)");
+  EXPECT_NEAR(found.forms[0].shapes[0], 3.0, 1e-3);
+}
+
+TEST(FormSearch, ALibraryThatLeavesNoMoreThanNoiseIsLeftAlone) {
+  const Oscillator c("x", 0.01);
+  const FormSearch search(c.data, c.sigma);
+  const EquationForms few{1, {c.library.terms[1]}, {}};
+  const EquationForms found =
+      search.recomposed(few, c.candidates(), c.library.terms, 1e-5);
+  EXPECT_EQ(found.terms.size(), c.library.terms.size());
+  EXPECT_TRUE(found.forms.empty());
 }
 
 TEST(FormSearch, AJumpTakesThePlaceOfASlopeThatHardlyASampleSees) {

@@ -51,6 +51,24 @@ TEST(RationalForms, ADenominatorNeedsNoConstant) {
   EXPECT_NE(form_in(all, "x*y/(x+a*y)"), nullptr);
 }
 
+TEST(RationalForms, ADenominatorHasFourMonomialsWhereItNeedsThem) {
+  const auto all = fractions_of(
+      "dx/dt = 0.9 - 0.1*x - 2.1*x*y/(1+1.2*x+0.7*y+0.9*x*y)\n"
+      "dy/dt = 1.5*x*y/(1+1.2*x+0.7*y+0.9*x*y) - 0.5*y",
+      Eigen::Vector2d(2.5, 0.3));
+  EXPECT_TRUE(std::any_of(all.begin(), all.end(), [](const Candidate& candidate) {
+    return candidate.shapes.size() == 3 && candidate.argument.to_string().find("x*y") !=
+                                               std::string::npos;
+  }));
+  const auto few = fractions_of(
+      "dx/dt = 1.1*x - 0.4*x^2 - 2.6*x*y/(1+1.7*x+0.6*y)\n"
+      "dy/dt = 1.9*x*y/(1+1.7*x+0.6*y) - 0.5*y",
+      Eigen::Vector2d(0.5, 1.0));
+  EXPECT_TRUE(std::none_of(few.begin(), few.end(), [](const Candidate& candidate) {
+    return candidate.shapes.size() == 3;
+  }));
+}
+
 TEST(RationalForms, AreNotReducibleAndHaveNoPole) {
   const auto all = fractions_of("dx/dt = y\ndy/dt = -x", Eigen::Vector2d(1.0, 0.0));
   ASSERT_FALSE(all.empty());

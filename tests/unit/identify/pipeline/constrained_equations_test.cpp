@@ -65,9 +65,43 @@ TEST(ConstrainedEquations, AFixedCoefficientStays) {
   }
 }
 
+TEST(ConstrainedEquations, ABoundThatHoldsChangesNothing) {
+  Pipeline pipeline = quadratic("algorithm1");
+  const OdeModel free = identify(lorenz_record(0.01), pipeline).model;
+  pipeline.constraints = {{{{"x", "x"}}, 0.0, ConstraintRelation::AtMost},
+                          {{{"y", "x"}}, 20.0, ConstraintRelation::AtLeast}};
+  const OdeModel bounded = identify(lorenz_record(0.01), pipeline).model;
+  for (const char* term : {"x", "y", "x*z"})
+    EXPECT_NEAR(bounded.coefficient(1, term), free.coefficient(1, term), 1e-4) << term;
+}
+
+TEST(ConstrainedEquations, ACoefficientStopsAtItsBound) {
+  for (const char* name : {"algorithm1", "sindy"}) {
+    Pipeline pipeline = quadratic(name);
+    pipeline.constraints = {{{{"x", "y"}}, 9.0, ConstraintRelation::AtMost},
+                            {{{"z", "z"}, {"y", "y"}}, -3.0, ConstraintRelation::AtLeast}};
+    const OdeModel model = identify(lorenz_record(0.0), pipeline).model;
+    EXPECT_NEAR(model.coefficient(0, "y"), 9.0, 1e-9) << name;  // 10 without
+    EXPECT_NEAR(model.coefficient(2, "z") + model.coefficient(1, "y"), -3.0, 1e-9) << name;
+  }
+}
+
+TEST(ConstrainedEquations, ATermOfTheWrongSignLeaves) {
+  Pipeline pipeline = quadratic("algorithm1");
+  pipeline.constraints = {{{{"x", "x"}}, 0.0, ConstraintRelation::AtLeast}};  // it is -10
+  const IdentificationResult found = identify(lorenz_record(0.01), pipeline);
+  EXPECT_EQ(found.model.coefficient(0, "x"), 0.0);
+  EXPECT_FALSE(found.model.equations()[0].empty());
+  for (const TrailEntry& entry : found.trail)
+    EXPECT_FALSE(entry.kept && entry.equation == "x" && entry.term == "x");
+}
+
 TEST(ConstrainedEquations, WhatCannotBeIsOneError) {
   Pipeline pipeline = quadratic("algorithm1");
   pipeline.constraints = {{{{"x", "y"}}, 1.0}, {{{"x", "y"}}, 2.0}};
+  EXPECT_THROW(identify(lorenz_record(0.0), pipeline), ConfigError);
+  pipeline.constraints = {{{{"x", "y"}}, 1.0, ConstraintRelation::AtMost},
+                          {{{"x", "y"}}, 2.0, ConstraintRelation::AtLeast}};
   EXPECT_THROW(identify(lorenz_record(0.0), pipeline), ConfigError);
   pipeline.constraints = {{{{"q", "y"}}, 1.0}};
   EXPECT_THROW(identify(lorenz_record(0.0), pipeline), ConfigError);
