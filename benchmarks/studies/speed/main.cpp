@@ -31,15 +31,11 @@ using Clock = std::chrono::steady_clock;
 
 constexpr double kLimit = 1.0;  // seconds of a run with a time limit
 
-double seconds_of(const timeval& time) {
-  return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
-}
-
 /// CPU time of all threads, seconds.
 double cpu_seconds() {
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
-  return seconds_of(usage.ru_utime) + seconds_of(usage.ru_stime);
+  return cpu_time_of(usage);
 }
 
 /// Of the process so far, MB.

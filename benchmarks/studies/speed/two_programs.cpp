@@ -29,10 +29,6 @@ struct Cost {
   double memory = 0.0;  ///< MB at most
 };
 
-double seconds_of(const timeval& time) {
-  return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
-}
-
 /// Runs a program; what it prints goes nowhere.
 /// @throws FileError where it cannot be started.
 Cost run_program(std::vector<std::string> arguments) {
@@ -53,8 +49,7 @@ Cost run_program(std::vector<std::string> arguments) {
   rusage usage{};
   while (wait4(child, &status, 0, &usage) < 0)
     if (errno != EINTR) break;
-  return {seconds_of(usage.ru_utime) + seconds_of(usage.ru_stime),
-          static_cast<double>(usage.ru_maxrss) / 1024.0};
+  return {cpu_time_of(usage), static_cast<double>(usage.ru_maxrss) / 1024.0};
 }
 
 std::string gist_of_model(const Json& model) {
@@ -105,6 +100,13 @@ void ask(Runs& runs, const std::string& program, std::vector<std::string> argume
 }
 
 }  // namespace
+
+double cpu_time_of(const rusage& usage) {
+  const auto seconds = [](const timeval& time) {
+    return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+  };
+  return seconds(usage.ru_utime) + seconds(usage.ru_stime);
+}
 
 std::string gist_of(const fs::path& answer) {
   std::ifstream file(answer);

@@ -2,6 +2,8 @@
 // The same questions put to two programs.
 #pragma once
 
+#include <sys/resource.h>
+
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -17,6 +19,9 @@ struct TwoPrograms {
   std::size_t repeats = 1;     ///< of each question by each program
   std::filesystem::path work;  ///< folder for records and answers
 };
+
+/// CPU time of all threads, user and system, in seconds.
+double cpu_time_of(const rusage& usage);
 
 /// What an answer (JSON) says, without its numbers: terms of each equation, or the verdict and the
 /// effects that were named; "none" where there is no answer.

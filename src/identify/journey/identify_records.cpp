@@ -11,6 +11,7 @@
 #include "identify/hidden_state/identify_hidden.hpp"
 #include "identify/validation/validate.hpp"
 #include "lower_terms.hpp"
+#include "plain_terms.hpp"
 #include "records/binding/other_records.hpp"
 #include "records/channels/column_hints.hpp"
 #include "records/channels/shown_holds.hpp"
@@ -174,6 +175,8 @@ Identification identify_records(RecordStream records, const IdentificationTask& 
   if (!centred.empty())
     result = with_lower_terms(chosen, task.pipeline, found.records, std::move(result),
                               alone);
+  else if (task.measured == Measured::AllStates)
+    result = with_plain_terms(chosen, found.records, std::move(result), alone);
   for (const auto& sentences : {notes, centred})
     result.warnings.insert(result.warnings.end(), sentences.begin(), sentences.end());
   const bool is_map = result.model.is_map();

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "identify/pipeline/equation_terms.hpp"
+#include "restricted_results.hpp"
 
 namespace lacuna {
 namespace {
@@ -91,43 +92,6 @@ class ShiftedLibrary {
   std::vector<Exponents> exponents_;
   std::vector<bool> shifted_;  ///< of the variables, whether they are counted from elsewhere
 };
-
-/// By how much chi squared of one result is above that of another one.
-double chi_squared_over(const IdentificationResult& one, const IdentificationResult& other) {
-  double sum = 0.0;
-  for (std::size_t k = 0; k < one.fit.size(); ++k) {
-    const EquationFit &a = one.fit[k], &b = other.fit[k];
-    if (a.identity) continue;
-    const auto rows = static_cast<double>(a.rows);
-    constexpr double kLeast = 1e-300;
-    if (a.misfit && b.misfit)
-      sum += rows * (*a.misfit * *a.misfit - *b.misfit * *b.misfit);
-    else
-      sum += 2.0 * rows *
-             std::log(std::max(a.residual_rms, kLeast) / std::max(b.residual_rms, kLeast));
-  }
-  return sum;
-}
-
-/// Why terms went, which the restricted run does not know; of the one that was left out on
-/// trial what chi squared it would have taken away, and what it had to.
-void take_over_trail(const std::vector<TrailEntry>& before, const std::string& equation,
-                     const std::string& left_out, std::pair<double, double> decision,
-                     std::vector<TrailEntry>& trail) {
-  for (TrailEntry& entry : trail) {
-    if (entry.kept || entry.stage != "library") continue;
-    if (entry.equation == equation && entry.term == left_out) {
-      entry.stage = "lower terms";
-      entry.quantity = "chi squared";
-      std::tie(entry.value, entry.threshold) = decision;
-      continue;
-    }
-    const auto same = std::find_if(before.begin(), before.end(), [&](const TrailEntry& one) {
-      return one.equation == entry.equation && one.term == entry.term;
-    });
-    if (same != before.end() && !same->kept) entry = *same;
-  }
-}
 
 /// Terms of every equation of a result by their places.
 using Structure = std::vector<Places>;

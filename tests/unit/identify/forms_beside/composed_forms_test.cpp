@@ -12,13 +12,13 @@
 namespace lacuna {
 namespace {
 
-Scope scope_with(double offset) {
+Scope composable_scope(double offset) {
   Dataset data = noisy_record("van-der-pol", 400, 0.01, 1);
   for (Trajectory& record : data.trajectories) record.states.array() += offset;
   return make_scope(test_system("van-der-pol").model, data, Eigen::Vector2d(0.02, 0.02));
 }
 
-std::multiset<std::string> forms_of(const Scope& scope) {
+std::multiset<std::string> compositions_of(const Scope& scope) {
   std::multiset<std::string> forms;
   for (const Candidate& candidate : composed_forms(scope, 1))
     forms.insert(candidate.form.to_string());
@@ -26,14 +26,15 @@ std::multiset<std::string> forms_of(const Scope& scope) {
 }
 
 TEST(ComposedForms, AreMonomialsTimesAFunctionOfOneVariable) {
-  const auto forms = forms_of(scope_with(0.0));
+  const auto forms = compositions_of(composable_scope(0.0));
   for (const char* form : {"q*exp(q/a)", "q*cos(q)", "v*sin(q/a)", "q*v*exp(-v/a)", "sin(q-v)"})
     EXPECT_EQ(forms.count(form), 1u) << form;
   EXPECT_EQ(forms.count("exp(q/a)"), 0u) << "that one is no product";
 }
 
 TEST(ComposedForms, OnlyPositiveVariablesAreDenominatorsAndHavePowers) {
-  const auto both = forms_of(scope_with(0.0)), positive = forms_of(scope_with(10.0));
+  const auto both = compositions_of(composable_scope(0.0)),
+             positive = compositions_of(composable_scope(10.0));
   for (const char* form : {"1/q", "v/q^2", "v^2/q", "v*q^power"}) {
     EXPECT_EQ(both.count(form), 0u) << form;
     EXPECT_EQ(positive.count(form), 1u) << form;
@@ -42,7 +43,7 @@ TEST(ComposedForms, OnlyPositiveVariablesAreDenominatorsAndHavePowers) {
 }
 
 TEST(ComposedForms, BelongToTheEquationAndHaveStarts) {
-  const std::vector<Candidate> all = composed_forms(scope_with(10.0), 1);
+  const std::vector<Candidate> all = composed_forms(composable_scope(10.0), 1);
   ASSERT_FALSE(all.empty());
   for (const Candidate& candidate : all) {
     EXPECT_EQ(candidate.equation, 1);

@@ -12,7 +12,7 @@
 namespace lacuna {
 namespace {
 
-constexpr const char* kAll = R"(time h
+constexpr const char* kEvents = R"(time h
 input u
 state gut
 state x
@@ -31,18 +31,18 @@ when x > 2*k: gut = min(gut,x), x -= 1
 )";
 
 TEST(OdeEvent, GivesBackWhatWasWritten) {
-  EXPECT_EQ(format_ode(parse_ode_system(kAll, "m.ode")), kAll);
+  EXPECT_EQ(format_ode(parse_ode_system(kEvents, "m.ode")), kEvents);
 }
 
 TEST(OdeEvent, JsonAndBackIsTheSameModel) {
-  const SystemModel system = parse_ode_system(kAll, "m.ode");
+  const SystemModel system = parse_ode_system(kEvents, "m.ode");
   const SystemModel again = parse_system(format_model(system), "m.json");
-  EXPECT_EQ(format_ode(again), kAll);
+  EXPECT_EQ(format_ode(again), kEvents);
   EXPECT_EQ(again.symbolic().events(), system.symbolic().events());
 }
 
 TEST(OdeEvent, NumbersOfParametersGoIntoEvents) {
-  const OdeModel model = parse_ode(kAll, "m.ode");
+  const OdeModel model = parse_ode(kEvents, "m.ode");
   ASSERT_EQ(model.events().size(), 3u);
   EXPECT_EQ(to_text(model.events()[0].resets[0]), "gut += 100");
   EXPECT_EQ(occasion_text(model.events()[2]), "when x > 2*0.2");
