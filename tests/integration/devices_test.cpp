@@ -96,7 +96,9 @@ TEST_F(Devices, SamplesOnACoarseLatticeAreNotMissing) {
     }
     // Steps of 330 / 1024 degrees, printed to 0.01.
     EXPECT_NEAR(lattice_in(answer), 330.0 / 1024.0, 0.01 * 330.0 / 1024.0);
-    if (record == "steps_q") EXPECT_NEAR(parameter_of(answer, "lag", "tau"), 20.0, 1.0);
+    if (record == "steps_q") {
+      EXPECT_NEAR(parameter_of(answer, "lag", "tau"), 20.0, 1.0);
+    }
   }
 }
 

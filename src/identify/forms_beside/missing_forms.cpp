@@ -91,6 +91,10 @@ EquationForms FormSearch::recomposed(const EquationForms& equation,
   whole.forms = equation.forms;
   const std::size_t known = whole.forms.size();
   whole = extended(std::move(whole), candidates, known + most_forms, least);
+  // Thinned it leaves no less. What is taken in the end fits or leaves half (a quarter of squares).
+  constexpr double kHalf = 0.25;
+  if (problem_->left(whole) > std::max(fitting(least), kHalf * problem_->left(equation)))
+    return equation;
   const double same = problem_->same_as(problem_->left(whole), problem_->residual_noise(k));
   const Limit limit{std::max(same, solver), 0.0, whole.parameters()};
   if (whole.forms.size() == known && problem_->left(equation) <= limit.left) return equation;
@@ -134,11 +138,15 @@ Trial FormSearch::fewest_beside(const EquationForms& others,
 EquationForms FormSearch::with_missing_forms(EquationForms equation,
                                              const std::vector<Candidate>& candidates,
                                              std::size_t most_forms) const {
+  const double least = fitting(problem_->residual_noise(equation.equation));
+  return extended(std::move(equation), candidates, most_forms, least);
+}
+
+double FormSearch::fitting(double noise) const {
   // A mean of squares of noise is known to sqrt(2 / rows) of it.
   const double scatter =
       problem_->options().significance * std::sqrt(2.0 / static_cast<double>(problem_->rows()));
-  const double least = (1.0 + scatter) * problem_->residual_noise(equation.equation);
-  return extended(std::move(equation), candidates, most_forms, least);
+  return (1.0 + scatter) * noise;
 }
 
 EquationForms FormSearch::extended(EquationForms equation,

@@ -130,6 +130,9 @@ class FormSearch {
   EquationForms extended(EquationForms equation, const std::vector<Candidate>& candidates,
                          std::size_t most_forms, double least) const;
 
+  /// The most that an equation leaves that fits to so much noise (sums of squares).
+  double fitting(double noise) const;
+
   /// The equation with one more form of the candidates that needs the fewest parameters to stay
   /// within a limit; infinite where none does.
   Trial fewest_beside(const EquationForms& others, const std::vector<Candidate>& candidates,
