@@ -72,10 +72,12 @@ TEST(DiagnoseCircuit, TellsInWhichEquationsTheAdjustedRosslerCircuitLacksSomethi
   EXPECT_EQ(json.at("disagreement").size(), 3u) << "all three equations are off";
   for (const auto& entry : json.at("disagreement"))
     EXPECT_GT(entry.at("sigma").get<double>(), 10.0) << entry;
-  ASSERT_FALSE(json.at("effects").empty());
-  for (const auto& effect : json["effects"])
+  EXPECT_LT(json["gap"]["ratio"].get<double>(), 0.9);
+  // A second polynomial does less on other samples than a fit of the coefficients.
+  for (const auto& effect : json.at("effects"))
     EXPECT_NE(effect["name"], "channel-skew") << "no fault of the measurement";
-  EXPECT_LT(json["gap"]["ratio"].get<double>(), 0.7);
+  EXPECT_THAT(json.at("notes").dump(), ::testing::HasSubstr("beyond a fit of the coefficients"));
+  EXPECT_NE(json.at("verdict"), "explained");
 }
 
 /// Error of a synchronisation as in the paper: x alone drives, with strength 1.

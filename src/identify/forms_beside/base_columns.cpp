@@ -74,6 +74,9 @@ BaseColumns::Pair BaseColumns::with_pair(const Vector& first, const Vector& seco
   fresh = fresh * lengths.cwiseInverse().asDiagonal();
   fresh -= basis_ * (basis_.transpose() * fresh);
   fresh -= basis_ * (basis_.transpose() * fresh);
+  // A column that is one of the base's has nothing new, whatever rounding leaves of it.
+  for (Index j = 0; j < 2; ++j)
+    if (fresh.col(j).norm() < kNewFraction) fresh.col(j).setZero();
   const PivotedQr factor(fresh, kNewFraction);
   const Vector h = factor.solve(rest_);
   return {h[0] / lengths[0], h[1] / lengths[1], (rest_ - fresh * h).squaredNorm()};

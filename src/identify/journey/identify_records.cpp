@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "lacuna/identify/journey/identify_records.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "centred_library.hpp"
@@ -62,6 +63,12 @@ RecordStream with_inputs_as_shown(RecordStream records, IdentificationTask& task
                                   std::vector<std::string>& notes) {
   const Dataset* data = records.in_memory();
   if (data == nullptr || task.measured != Measured::AllStates) return records;
+  // Records of another form are an error of identify().
+  const auto has_inputs = [&](const Trajectory& record) {
+    return record.inputs.cols() == data->input_count();
+  };
+  if (!std::all_of(data->trajectories.begin(), data->trajectories.end(), has_inputs))
+    return records;
   task.pipeline = with_distinct_powers(task.pipeline, *data, notes);
   const bool is_flow = task.pipeline.formulation->evolution() == Evolution::Flow;
   auto held = is_flow ? with_shown_holds(*data) : std::nullopt;

@@ -100,8 +100,8 @@ TEST(DistinctPowers, AUsersOwnLibraryStays) {
   EXPECT_THAT(warnings, IsEmpty());
 }
 
-/// The commonest experiment in four shapes, three draws of noise each. A term that is not there comes
-/// in as often as the criterion lets it: in one draw of twelve at most.
+/// The commonest experiment in four shapes, three draws of noise each. A term that is not there
+/// comes in as often as the criterion lets it: in one draw of twelve at most.
 TEST(StepTest, HasTwoTermsWhateverTheSteps) {
   struct Shape {
     std::vector<double> values;

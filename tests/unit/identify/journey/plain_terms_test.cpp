@@ -15,8 +15,8 @@ namespace {
 
 using ::testing::UnorderedElementsAre;
 
-/// dw/dt = -a w - b w u + 10 u under an input that is u0 for 200 samples and then jumps between 1 and
-/// u0 every `length`, solved exactly from sample to sample; noise 0.02.
+/// dw/dt = -a w - b w u + 10 u under an input that is u0 for 200 samples and then jumps between 1
+/// and u0 every `length`, solved exactly from sample to sample; noise 0.02.
 Dataset record_of(double a, double b, double u0, Index length, std::uint64_t seed) {
   constexpr Index kSamples = 800;
   constexpr double kStep = 0.02;
