@@ -77,6 +77,7 @@ BaseColumns::Pair BaseColumns::with_pair(const Vector& first, const Vector& seco
   // A column that is one of the base's has nothing new, whatever rounding leaves of it.
   for (Index j = 0; j < 2; ++j)
     if (fresh.col(j).norm() < kNewFraction) fresh.col(j).setZero();
+  if (fresh.isZero(0.0)) return {0.0, 0.0, left_};
   const PivotedQr factor(fresh, kNewFraction);
   const Vector h = factor.solve(rest_);
   return {h[0] / lengths[0], h[1] / lengths[1], (rest_ - fresh * h).squaredNorm()};
