@@ -105,7 +105,7 @@ tests_notice() {
 library_command() {
   perl -MJSON::PP -0777 -ne '
     for my $entry (@{decode_json($_)}) {
-      next unless $entry->{command} =~ /-Dlacuna_EXPORTS/;
+      next unless $entry->{command} =~ /-Dlacuna_EXPORTS/ && $entry->{command} !~ /-emit-pch/;
       print "cd $entry->{directory} && ", $entry->{command} =~ s/ -o \S+ -c \S+$//r;
       last;
     }' "$tree/build/$preset/compile_commands.json"
