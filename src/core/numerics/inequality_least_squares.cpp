@@ -10,7 +10,7 @@
 namespace lacuna {
 namespace {
 
-/// Fraction of the largest pivot that is rounding.
+/// A fact of rounding: a fraction of the largest pivot.
 constexpr double kRankOfRows = 1e-12;
 
 /// min |F z - d|^2 subject to G z <= g in the coordinates y = R (z - z0), z0 the solution without
@@ -22,7 +22,8 @@ struct Dual {
 
 /// The dual of min |F z - d| subject to G z <= g.
 Dual dual_of(Matrix f, Vector d, const Matrix& rows, const Vector& g) {
-  // What F does not determine stays small: a ridge far below what it does determine.
+  // A fact of rounding (its square root): what F does not determine stays small by a ridge far
+  // below what it does determine.
   constexpr double kRidge = 1e-8;
   const Index q = f.cols();
   if (PivotedQr(f, kRankOfRows).rank() < q) {
@@ -43,7 +44,7 @@ Dual dual_of(Matrix f, Vector d, const Matrix& rows, const Vector& g) {
 /// The set that is positive in min |E u - f| with u >= 0 (Lawson and Hanson 1974, algorithm
 /// NNLS); nothing where it does not come to an end, or u leaves no residual.
 std::optional<std::vector<Index>> positive_set(const Matrix& e, const Vector& f) {
-  constexpr double kZero = 1e-12;  // of columns and targets of length 1
+  constexpr double kZero = 1e-12;  // a fact of rounding, of columns and targets of length 1
   Vector u = Vector::Zero(e.cols());
   std::vector<Index> set;
   const Index most = 30 * (e.rows() + e.cols()) + 100;
@@ -108,7 +109,7 @@ Vector joined(const Vector& first, const Vector& second) {
 
 /// Whether G h <= g but for rounding.
 bool holds(const Matrix& rows, const Vector& g, const Vector& h) {
-  constexpr double kRounding = 1e-8;
+  constexpr double kRounding = 1e-8;  // a fact of rounding, as the ridge
   for (Index j = 0; j < g.size(); ++j) {
     const double size =
         std::abs(g[j]) + (rows.row(j).transpose().array() * h.array()).abs().sum();

@@ -75,8 +75,8 @@ BadLine::Kind kind_of_bad_line(std::string_view line, bool has_end, bool is_shor
 
 std::vector<std::string> notes_of_damage(const std::vector<BadLine>& lines, std::size_t samples,
                                          std::size_t last_sample, const std::string& source) {
-  // Bytes that no text has are damage for certain: a serial line that loses one line in ten
-  // still gives a record. With half or twice of it the same files of loggers are read.
+  // A decision: bytes that no text has are damage for certain; a serial line that loses one line
+  // in ten still gives a record. With half or twice of it the same files of loggers are read.
   constexpr double kStray = 0.1;
   const auto all = static_cast<double>(samples);
   std::vector<BadLine> damaged = lines;

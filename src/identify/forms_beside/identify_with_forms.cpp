@@ -67,7 +67,7 @@ struct FormsTask {
 
   /// A fraction of a rate that is no form: errors of solvers, of measured rates rounding.
   double negligible() const {
-    constexpr double kRounding = 1e-8;
+    constexpr double kRounding = 1e-8;  // a fact of rounding of measured rates
     return data.has_derivatives() ? kRounding : options.worth_asking;
   }
 
