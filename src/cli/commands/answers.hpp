@@ -49,9 +49,10 @@ struct IdentifyAnswer {
   bool found() const;
 };
 
+/// @param first as that of IdentificationTask.
 /// @throws ConfigError for what does not go together, and as identify_records().
 IdentifyAnswer answer(const Registry& registry, const IdentifyRequest& request,
-                      const RunContext& context);
+                      const RunContext& context, FirstAnswer first = nullptr);
 
 /// What was read in a line, and the identification.
 std::string text_of(const IdentifyAnswer& answer, const TextOptions& options);

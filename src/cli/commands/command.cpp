@@ -167,8 +167,12 @@ RunContext make_context(const Session& session, const RunOptions& options) {
   return context;
 }
 
+bool is_watched(const Session& session, const RunOptions& options) {
+  return progress_of(session, options) == Shown::Line;
+}
+
 void finish_progress(const Session& session, const RunOptions& options) {
-  if (progress_of(session, options) == Shown::Line)
+  if (is_watched(session, options))
     session.streams.err << "\r\x1b[K" << std::flush;
 }
 

@@ -79,6 +79,9 @@ void declare_size_option(CLI::App& app, const std::string& name, std::uint64_t& 
 /// The run context of a command, with progress on standard error where that is wanted.
 RunContext make_context(const Session& session, const RunOptions& options);
 
+/// Whether progress is on one line of a terminal: what is written there is seen at once.
+bool is_watched(const Session& session, const RunOptions& options);
+
 /// Ends the line that progress was shown on.
 void finish_progress(const Session& session, const RunOptions& options);
 

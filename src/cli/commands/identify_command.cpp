@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
+#include <chrono>
 #include <memory>
 
 #include "answers.hpp"
 #include "cli/configuration/identification_configuration.hpp"
+#include "cli/terminal/first_screen.hpp"
 #include "command.hpp"
 #include "core/base/text.hpp"
 #include "data_options.hpp"
@@ -211,16 +213,33 @@ void check_request(const IdentifyRequest& request) {
                       "leave it out, or use `lacuna fit MODEL DATA --holdout`");
 }
 
+/// A progress function that shows a first screen as well.
+std::function<void(const Progress&)> beside(FirstScreen& screen,
+                                            std::function<void(const Progress&)> shown) {
+  return [&screen, shown = std::move(shown)](const Progress& progress) {
+    screen.show(std::chrono::steady_clock::now());
+    shown(progress);
+  };
+}
+
 int identify_command(const Session& session, const IdentifyArguments& options) {
   std::vector<std::string> files = files_read(options.data, options.held_out.paths);
   if (options.config) files.push_back(*options.config);
   check_outputs(files,
                 with_report({{"--model-out", options.model_out}, {"--json", options.json}},
                             options.report));
-  const RunContext context = make_context(session, options.run);
+  RunContext context = make_context(session, options.run);
+  FirstScreen screen(session.streams.err, session.begin);
+  FirstAnswer first = nullptr;
+  if (is_watched(session, options.run)) {
+    context.progress = beside(screen, std::move(context.progress));
+    first = [&](const IdentificationResult& result) {
+      screen.take(first_answer_text(result, options.text));
+    };
+  }
   IdentifyRequest request = options;
   request.effort = options.run.effort;
-  const IdentifyAnswer found = answer(session.registry, request, context);
+  const IdentifyAnswer found = answer(session.registry, request, context, std::move(first));
   if (!context.leads()) return 0;
   finish_progress(session, options.run);
   write_results(session, options, found);
@@ -240,10 +259,11 @@ bool IdentifyAnswer::found() const {
 }
 
 IdentifyAnswer answer(const Registry& registry, const IdentifyRequest& request,
-                      const RunContext& context) {
+                      const RunContext& context, FirstAnswer first) {
   check_request(request);
   const Configuration configuration = make_configuration(request);
-  const IdentificationTask task = task_of(registry, request, configuration);
+  IdentificationTask task = task_of(registry, request, configuration);
+  task.first_answer = std::move(first);
   Identification found = read_and_identify(request, task, context);
   IdentificationReport report = report_of(found, task, configuration);
   if (request.alternatives && context.leads())

@@ -21,6 +21,16 @@ double worth(double h, double g, double hh, double hg, double gg) {
   return (h * h * gg - 2.0 * h * g * hg + g * g * hh) / determinant;
 }
 
+/// What those two coefficients are worth together that are worth least.
+/// @param inverse (A'A)^-1.
+double least_worth(const Vector& h, const Matrix& inverse) {
+  double least = kInfinity;
+  for (Index i = 0; i < h.size(); ++i)
+    for (Index j = i + 1; j < h.size(); ++j)
+      least = std::min(least, worth(h[i], h[j], inverse(i, i), inverse(i, j), inverse(j, j)));
+  return least;
+}
+
 }  // namespace
 
 BaseColumns::BaseColumns(const Matrix& columns, const Vector& target) {
@@ -49,20 +59,26 @@ BaseColumns::BaseColumns(const Matrix& columns, const Vector& target) {
 
 BaseColumns::Added BaseColumns::added(const Vector& column) const {
   const double length = column.norm();
-  if (!(length > 0.0) || !std::isfinite(length)) return {{}, 0.0, 0.0, left_};
+  if (!(length > 0.0) || !std::isfinite(length)) return {{}, 0.0, 0.0, rest_};
   const Vector unit = column / length;
   const Vector along = basis_.transpose() * unit;
   Vector fresh = unit - basis_ * along;
   fresh -= basis_ * (basis_.transpose() * fresh);
   const double size = fresh.squaredNorm();
-  if (!(size > kNewFraction * kNewFraction)) return {{}, 0.0, 0.0, left_};
+  if (!(size > kNewFraction * kNewFraction)) return {{}, 0.0, 0.0, rest_};
   const double h = fresh.dot(rest_) / size;
-  return {root_ * along, size, h, (rest_ - h * fresh).squaredNorm()};
+  return {root_ * along, size, h, rest_ - h * fresh};
 }
 
 double BaseColumns::left_with(const Vector& column) const {
   if (!std::isfinite(left_) || !column.allFinite()) return kInfinity;
-  return added(column).left;
+  return added(column).rest.squaredNorm();
+}
+
+Vector BaseColumns::rest_with(const Vector& column) const {
+  if (!std::isfinite(left_) || !column.allFinite())
+    return Vector::Constant(column.size(), kInfinity);
+  return added(column).rest;
 }
 
 BaseColumns::Pair BaseColumns::with_pair(const Vector& first, const Vector& second) const {
@@ -89,11 +105,9 @@ double BaseColumns::left_without_two(const Vector& column) const {
   if (more.size == 0.0) return kInfinity;
   const Vector h = h_ - more.h * more.along;
   const Matrix inverse = inverse_ + more.along * more.along.transpose() / more.size;
-  double least = kInfinity;
-  for (Index i = 0; i < h.size(); ++i)
-    for (Index j = i + 1; j < h.size(); ++j)
-      least = std::min(least, worth(h[i], h[j], inverse(i, i), inverse(i, j), inverse(j, j)));
-  return more.left + least;
+  return more.rest.squaredNorm() + least_worth(h, inverse);
 }
+
+double BaseColumns::left_without_two() const { return left_ + least_worth(h_, inverse_); }
 
 }  // namespace lacuna

@@ -18,6 +18,9 @@ class BaseColumns {
   /// The same with one column more.
   double left_with(const Vector& column) const;
 
+  /// y - A h with one column more, K; not finite where a column is not.
+  Vector rest_with(const Vector& column) const;
+
   /// Two columns that come together.
   struct Pair {
     double first = 0.0, second = 0.0;  ///< their coefficients
@@ -31,13 +34,16 @@ class BaseColumns {
   /// h_D' ((A'A)^-1_DD)^-1 h_D is what two columns D are worth.
   double left_without_two(const Vector& column) const;
 
+  /// The same with no column more; infinite where there are no two.
+  double left_without_two() const;
+
  private:
   /// A column as it changes the solution.
   struct Added {
     Vector along;       ///< its coefficients in the columns that stay
     double size = 0.0;  ///< squared length of what is new of it
     double h = 0.0;     ///< its coefficient
-    double left = 0.0;  ///< |y - A h|^2 with it
+    Vector rest;        ///< y - A h with it
   };
   Added added(const Vector& column) const;
 

@@ -17,6 +17,11 @@ void describe_search(FormOptions& o, OptionVisitor& v) {
        "of terms where that begins.",
        1.0},
       o.thinned);
+  v.field({"takes", "",
+           "A form is fitted in the place of terms if at one of its starting points it takes "
+           "this fraction of what is left beyond the limit without these terms.",
+           0.0, 1.0},
+          o.takes);
   v.field(
       {"denominators", "",
        "Denominators in several variables that go on from the implicit form of an equation.",

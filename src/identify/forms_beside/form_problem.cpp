@@ -10,6 +10,7 @@
 #include "core/base/parallel.hpp"
 #include "core/numerics/qr.hpp"
 #include "core/statistics/information.hpp"
+#include "forms/candidate/gauss_newton.hpp"
 #include "forms/candidate/shape_scale.hpp"
 #include "forms/candidate/shape_search.hpp"
 #include "trajectories/subset_selection/subset_search.hpp"
@@ -76,6 +77,13 @@ std::vector<Start> best_of(std::vector<Start> starts, std::size_t count) {
   return best;
 }
 
+std::vector<Start> promising(std::vector<Start> starts, double left, double limit,
+                             double fraction) {
+  const double most = left - fraction * std::max(0.0, left - limit);
+  std::erase_if(starts, [&](const Start& start) { return !(start.left <= most); });
+  return starts;
+}
+
 double Limit::operator()(const EquationForms& equation) const {
   const std::size_t now = equation.parameters();
   return left + (now < parameters ? penalty * static_cast<double>(parameters - now) : 0.0);
@@ -128,6 +136,12 @@ Matrix FormProblem::columns(const EquationForms& equation) const {
 
 double FormProblem::left(const EquationForms& equation) const {
   return residual_squares(columns(equation), rows_.target(equation.equation));
+}
+
+double FormProblem::left(const Beside& beside) const {
+  const EquationForms& equation = beside.equation;
+  const BaseColumns base(columns(equation), rows_.target(equation.equation));
+  return beside.without_two ? base.left_without_two() : base.left();
 }
 
 std::vector<Term> FormProblem::linear_terms() const {
@@ -259,14 +273,23 @@ double FormProblem::polish(EquationForms& equation, std::size_t place, int evalu
 double FormProblem::fit_shapes(const BaseColumns& base, MissingForm& form,
                                int evaluations) const {
   const ShapeScale scale(form.candidate.shapes);
-  const auto left = [&](const Vector& at) {
+  const auto column = [&](const Vector& at) -> Vector {
     context_.check_stop();
     form.shapes = scale.shapes(at);
-    const double rest = base.left_with(rows_.columns({form.expression()}).col(0));
-    return std::log(std::max(rest, 1e-300));
+    return rows_.columns({form.expression()}).col(0);
   };
-  if (form.shapes.size() == 0) return base.left_with(rows_.columns({form.expression()}).col(0));
   const Vector start = scale.unit(form.shapes);
+  if (start.size() == 0) return base.left_with(column(start));
+  const CubeMinimum reached =
+      gauss_newton([&](const Vector& at) { return base.rest_with(column(at)); }, start);
+  if (reached.converged) {
+    form.shapes = scale.shapes(reached.point);
+    return reached.squares;
+  }
+  // Jumps have no derivative: they are sought without.
+  const auto left = [&](const Vector& at) {
+    return std::log(std::max(base.left_with(column(at)), 1e-300));
+  };
   const int most = evaluations * static_cast<int>(start.size() * start.size());
   return std::exp(left(least_in_cube(left, start, {0.03, 1e-7, most})));
 }

@@ -36,6 +36,10 @@ struct Beside {
   bool without_two = false;  ///< two of its terms, those that are missed least, are gone
 };
 
+/// The starts that take at least this fraction of what is left beyond a limit without a form.
+std::vector<Start> promising(std::vector<Start> starts, double left, double limit,
+                             double fraction);
+
 /// An equation and what it leaves.
 struct Trial {
   EquationForms equation;
@@ -86,6 +90,7 @@ class FormProblem {
   Matrix columns(const EquationForms& equation) const;
 
   double left(const EquationForms& equation) const;
+  double left(const Beside& beside) const;  ///< before a form is added
 
   /// The constant and the variables.
   std::vector<Term> linear_terms() const;

@@ -149,6 +149,11 @@ double FormSearch::fitting(double noise) const {
   return (1.0 + scatter) * noise;
 }
 
+bool FormSearch::leaves_noise(const EquationForms& equation, Remainder remainder) const {
+  return remainder == Remainder::Noise ||
+         problem_->left(equation) <= fitting(problem_->residual_noise(equation.equation));
+}
+
 EquationForms FormSearch::extended(EquationForms equation,
                                    const std::vector<Candidate>& candidates,
                                    std::size_t most_forms, double least) const {
@@ -186,13 +191,17 @@ EquationForms FormSearch::with_fewer_terms(EquationForms equation,
     if (std::isfinite(now.left) && is_fewer && Limit::prefers(now, best)) best = now;
   };
   std::vector<Start> starts = all_starts(candidates);
-  const std::array<const EquationForms*, 3> bases{&equation, &linear, &whole};
-  const Matrix rated = problem_->rated({{equation, true}, {linear}, {whole}}, starts);
+  const std::vector<Beside> bases{{equation, true}, {linear}, {whole}};
+  const Matrix rated = problem_->rated(bases, starts);
   std::vector<Start> chosen_starts;  ///< with which terms of the library were chosen already
   for (std::size_t b = 0; b < bases.size(); ++b) {
-    const EquationForms* const from = bases[b];
+    const EquationForms* const from = &bases[b].equation;
+    // What forms take of noise beside the whole library is chance.
+    if (from == &whole && leaves_noise(whole, remainder)) continue;
     set_residuals(rated.col(static_cast<Index>(b)), starts);
-    const std::vector<Start> best_starts = best_of(starts, tried);
+    const double fraction = from == &whole ? 0.0 : problem_->options().takes;
+    const std::vector<Start> best_starts =
+        best_of(promising(starts, problem_->left(bases[b]), limit.left, fraction), tried);
     std::vector<std::array<std::optional<Trial>, 2>> trials(best_starts.size());
     parallel_for(trials.size(), problem_->context().threads, [&](std::size_t i) {
       const MissingForm& form = best_starts[i].form;

@@ -133,6 +133,9 @@ class FormSearch {
   /// The most that an equation leaves that fits to so much noise (sums of squares).
   double fitting(double noise) const;
 
+  /// Whether an equation leaves no more than noise.
+  bool leaves_noise(const EquationForms& equation, Remainder remainder) const;
+
   /// The equation with one more form of the candidates that needs the fewest parameters to stay
   /// within a limit; infinite where none does.
   Trial fewest_beside(const EquationForms& others, const std::vector<Candidate>& candidates,

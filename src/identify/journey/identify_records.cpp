@@ -85,7 +85,7 @@ Identification find_equations(RecordStream records, const IdentificationTask& ta
     found.result.stages = {{kEquationsStage}, {kTrajectoriesStage}};
     return {std::move(found.data), std::move(found.result)};
   }
-  IdentificationResult result = identify(records, pipeline, context);
+  IdentificationResult result = identify(records, pipeline, context, task.first_answer);
   if (task.library == LibraryScope::Extended && context.leads())
     add_forms(records, task, result, context.alone());
   return {std::move(records), std::move(result)};

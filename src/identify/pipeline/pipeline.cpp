@@ -349,7 +349,7 @@ std::vector<std::string> warnings_of(std::vector<EquationOutcome> outcomes,
   return warnings;
 }
 
-IdentificationResult run_equations(const Run& run) {
+IdentificationResult run_equations(const Run& run, const FirstAnswer& first) {
   std::vector<EquationOutcome> outcomes = fit_equations(run);
   std::vector<Equation> equations;
   for (const EquationOutcome& outcome : outcomes) equations.push_back(outcome.equation);
@@ -369,10 +369,11 @@ IdentificationResult run_equations(const Run& run) {
   if (run.libraries.is_constrained()) measure_residuals(run, result);
   note_noise_floors(run, result);
   result.stages.push_back({kEquationsStage});
+  if (first && run.context.leads()) first(result);
   if (run.context.leads() && !refine_in_time(run, std::move(active), result)) judge_fits(result);
-  std::vector<std::string> first = warnings_of(std::move(outcomes), result.model);
-  append(first, std::move(result.warnings));
-  result.warnings = std::move(first);
+  std::vector<std::string> warnings = warnings_of(std::move(outcomes), result.model);
+  append(warnings, std::move(result.warnings));
+  result.warnings = std::move(warnings);
   if (!run.context.leads()) return result;
   result.adequacy = adequacy_of_equations(result.fit);
   return result;
@@ -387,8 +388,8 @@ std::string excerpt_note(const RecordStream& records) {
 }  // namespace
 
 IdentificationResult identify(const RecordStream& records, const Pipeline& pipeline,
-                              const RunContext& context) {
-  const RunContext first = context.unhurried();
+                              const RunContext& context, const FirstAnswer& first) {
+  const RunContext unhurried = context.unhurried();
   const bool is_map = pipeline.formulation->evolution() == Evolution::Map;
   const Dataset& data =
       is_map && records.in_memory() ? *records.in_memory() : records.excerpt();
@@ -397,7 +398,7 @@ IdentificationResult identify(const RecordStream& records, const Pipeline& pipel
   const EquationLibraries libraries =
       equation_libraries(pipeline.basis->library(variables_of(data)), data, pipeline);
   const TermLibrary& library = libraries.library;
-  first.report("reading rows", 0.0);
+  unhurried.report("reading rows", 0.0);
   Pipeline fitted = pipeline;
   if (is_map && pipeline.energy_preserving)
     throw ConfigError("constraint energy-preserving",
@@ -407,13 +408,14 @@ IdentificationResult identify(const RecordStream& records, const Pipeline& pipel
       is_map ? std::nullopt : KnownNoise(records.noise(context.threads));
   const Vector noise = is_map ? Vector() : white_noise(*analysed);
   fitted.formulation = fitted_to(pipeline.formulation, data, noise);
-  const LeastSquaresSystem system = fitted.formulation->assemble(records, library, first);
-  first.report("filtering terms", 0.0);
-  const FilterResult filtered = fitted.filter->filter(system, first);
+  const LeastSquaresSystem system = fitted.formulation->assemble(records, library, unhurried);
+  unhurried.report("filtering terms", 0.0);
+  const FilterResult filtered = fitted.filter->filter(system, unhurried);
   IdentificationResult result = run_equations(
-      {data, fitted, first, context, library, system, filtered, noise, libraries, analysed});
+      {data, fitted, unhurried, context, library, system, filtered, noise, libraries, analysed},
+      first);
   if (records.is_long() && !is_map) result.warnings.push_back(excerpt_note(records));
-  first.report("fitting equations", 1.0);
+  unhurried.report("fitting equations", 1.0);
   return result;
 }
 

@@ -125,6 +125,13 @@ std::string alternatives_section(const IdentificationReport& report) {
 
 }  // namespace
 
+std::string first_answer_text(const IdentificationResult& result, const TextOptions& options) {
+  TextOptions brief = options;
+  brief.explain = false;
+  return "First answer, by regression; it is being refined and tested\n" +
+         equations_section(result.model, brief) + "\n";
+}
+
 std::string format_text(const IdentificationReport& report, const TextOptions& options) {
   const std::string first = verdict_section(report) + "\n" +
                             equations_section(report.result.model, options) +

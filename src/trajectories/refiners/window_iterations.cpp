@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <limits>
 #include <numeric>
 
 #include "core/numerics/constrained_least_squares.hpp"
@@ -57,14 +58,14 @@ Matrix columns_of(const SubsetProblem& problem, const std::vector<Index>& subset
   return columns;
 }
 
-/// Linearises in all candidates, chooses, moves the path. @return whether nothing changed.
-bool choose(const SearchTask& task, WindowSearch& search, const RunContext& context) {
+/// Linearises in all candidates, chooses, moves the path.
+Change choose(const SearchTask& task, WindowSearch& search, const RunContext& context) {
   WindowFit& fit = search.fit;
   const Linearisation linearised = linearise(
       search.rates, search.path, {fit.coefficients, fit.columns}, search.folding, context);
   fit.triangle = linearised.triangle;
   fit.rows = linearised.rows;
-  if (fit.rows == 0) return true;  // no window has a finite solution: nothing to choose from
+  if (fit.rows == 0) return {};  // no window has a finite solution: nothing to choose from
   const auto all_candidates = static_cast<double>(task.candidates.size());
   const auto q = static_cast<double>(fit.columns.size());
   const auto n = static_cast<double>(fit.rows);
@@ -80,7 +81,7 @@ bool choose(const SearchTask& task, WindowSearch& search, const RunContext& cont
   fit.subset = with_constrained(search, fit.subset);
   const std::optional<double> moved =
       move_path(search.rates, linearised, solve_subset(problem, search), search.path, context);
-  return moved && *moved < kSmallMove && fit.subset == before;
+  return {fit.subset != before, moved.value_or(std::numeric_limits<double>::infinity())};
 }
 
 /// Columns that were screened out and are worth their penalty about the path of the model are
@@ -98,6 +99,15 @@ bool widen(const SearchTask& task, WindowSearch& search, const RunContext& conte
 }
 
 }  // namespace
+
+bool Approach::goes_on(const Change& change) {
+  // A fact of the search: no path that did so came to rest later.
+  constexpr int kRoundsWithoutGain = 2;
+  const bool gains = change.terms || change.path < least_;
+  without_gain_ = gains ? 0 : without_gain_ + 1;
+  least_ = change.terms ? change.path : std::min(least_, change.path);
+  return without_gain_ < kRoundsWithoutGain;
+}
 
 std::vector<Index> present_columns(const WindowFit& fit) {
   std::vector<Index> present;
@@ -153,8 +163,10 @@ double settle(WindowSearch& search, const NewtonLimits& limits, const RunContext
     const std::optional<double> moved =
         move_path(search.rates, linearised, h, search.path, context);
     if (!moved) break;
+    // So small a move that does not shrink is rounding.
+    const bool is_rounding = *moved < kSmallMove && last < kSmallMove && *moved > last;
     last = *moved;
-    if (last < limits.move) break;
+    if (last < limits.move || (i > 0 && is_rounding)) break;
   }
   return last;
 }
@@ -164,9 +176,12 @@ void converge(const SearchTask& task, WindowSearch& search, const RunContext& co
   constexpr int kRounds = 12;
   search.fit.settled = false;
   settle(search, {}, context);
+  Approach approach;
   for (int i = 0; i < kRounds && !search.fit.settled; ++i) {
     context.report("searching the structure", static_cast<double>(i) / kRounds);
-    search.fit.settled = choose(task, search, context);
+    const Change change = choose(task, search, context);
+    search.fit.settled = change.is_none();
+    if (!approach.goes_on(change)) break;
     if (!search.fit.settled)
       settle(search, {}, context);
     else if (is_wide(task) && search.fit.rows > 0)

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <limits>
+
 #include "trajectories/subset_selection/subset_problem.hpp"
 #include "window_search.hpp"
 
@@ -14,6 +16,26 @@ inline constexpr double kSmallMove = 0.3;
 struct NewtonLimits {
   double move = kSmallMove;  ///< of the path, in units of sigma
   int iterations = 4;
+};
+
+/// What a choice has changed.
+struct Change {
+  bool terms = false;
+  double path = 0.0;  ///< by how much it moved, in units of sigma; infinite where it has none
+
+  bool is_none() const { return !terms && path < kSmallMove; }
+};
+
+/// Whether a path is still on its way. Where windows are so long that chaos makes more of a step
+/// than the step mends, its moves go up and down without end.
+class Approach {
+ public:
+  /// @return false where the terms stay and no move was the least so far for two rounds.
+  bool goes_on(const Change& change);
+
+ private:
+  double least_ = std::numeric_limits<double>::infinity();
+  int without_gain_ = 0;
 };
 
 /// The columns of a fit that have a coefficient.

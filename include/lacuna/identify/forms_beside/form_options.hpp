@@ -22,6 +22,7 @@ struct FormOptions {
   int rough_fits = 100;
   int exact_fits = 6;
   int thinned = 60;
+  double takes = 0.5;
   int denominators = 8;
 
   double alike = 0.99;

@@ -38,6 +38,9 @@ struct IdentificationTask {
   /// Records to judge the model by, in its variables; without them a quarter of the samples is
   /// held out, in blocks.
   std::function<Dataset(const OdeModel& model)> held_out = nullptr;
+
+  /// Is given the model of the regression while the other stages go on.
+  FirstAnswer first_answer = nullptr;
 };
 
 /// How a model was driven by its own record, and whether it holds on it.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <functional>
+
 #include "lacuna/core/base/run_context.hpp"
 #include "lacuna/data/records/dataset.hpp"
 #include "lacuna/identify/pipeline/result.hpp"
@@ -58,6 +60,9 @@ struct Pipeline {
 inline constexpr const char* kEquationsStage = "equations";
 inline constexpr const char* kTrajectoriesStage = "trajectories";
 
+/// Is given a whole result before a better one is sought.
+using FirstAnswer = std::function<void(const IdentificationResult&)>;
+
 /// Identifies one equation per state: basis -> formulation -> filter, then per equation
 /// pruner (refitting with the regressor) and a final fit. An equation the dataset knows as an
 /// identity (Dataset::rate_of) is taken over with coefficient 1. The refiner then fits the
@@ -67,8 +72,9 @@ inline constexpr const char* kTrajectoriesStage = "trajectories";
 /// In a team only the leader's result is refined. A deadline ends the refinement: the model is
 /// that of the regression then, and `stages` has that.
 /// @param records a Dataset, or records that are read in pieces.
+/// @param first is given the result of the regression before it is refined; may be empty.
 /// @throws DataError, ConfigError as the stages do; Cancelled on a stop request.
 IdentificationResult identify(const RecordStream& records, const Pipeline& pipeline,
-                              const RunContext& context = {});
+                              const RunContext& context = {}, const FirstAnswer& first = nullptr);
 
 }  // namespace lacuna

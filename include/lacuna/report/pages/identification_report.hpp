@@ -27,6 +27,11 @@ struct IdentificationReport {
 /// relations, which terms were removed by what number, synchronisation, all warnings.
 std::string format_text(const IdentificationReport& report, const TextOptions& options = {});
 
+/// For people who wait for the rest: the equations of a result that is being refined, in a few
+/// lines that say so.
+std::string first_answer_text(const IdentificationResult& result,
+                              const TextOptions& options = {});
+
 /// JSON text of the format "lacuna.identification/1"; the same report gives the same bytes.
 std::string format_json(const IdentificationReport& report);
 

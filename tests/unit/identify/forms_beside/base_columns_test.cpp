@@ -37,6 +37,18 @@ TEST(BaseColumns, OneColumnMoreLeavesWhatLeastSquaresLeaves) {
               residual_squares(more, target), 1e-12);
 }
 
+TEST(BaseColumns, TheRestIsWhatLeastSquaresLeavesOfEachRow) {
+  const Matrix columns = noise(40, 5, 21);
+  const Vector target = noise(40, 1, 22), more = noise(40, 1, 23);
+  const BaseColumns base(columns, target);
+  const Matrix all = joined(columns, more);
+  const Vector rest = target - all * all.householderQr().solve(target);
+  EXPECT_LT((base.rest_with(more) - rest).norm(), 1e-12);
+  EXPECT_NEAR(base.rest_with(columns.col(2)).squaredNorm(), base.left(), 1e-12);
+  const Vector broken = Vector::Constant(40, std::numeric_limits<double>::quiet_NaN());
+  EXPECT_FALSE(base.rest_with(broken).allFinite());
+}
+
 TEST(BaseColumns, APairLeavesWhatLeastSquaresLeavesAndHasItsCoefficients) {
   const Matrix columns = noise(40, 5, 11);
   const Vector first = noise(40, 1, 12), second = 30.0 * noise(40, 1, 13);
@@ -54,7 +66,7 @@ TEST(BaseColumns, APairLeavesWhatLeastSquaresLeavesAndHasItsCoefficients) {
 TEST(BaseColumns, WithoutTwoIsTheBestOfAllPairs) {
   const Matrix columns = noise(40, 5, 4);
   const Vector target = noise(40, 1, 5), more = noise(40, 1, 6);
-  double least = std::numeric_limits<double>::infinity();
+  double least = std::numeric_limits<double>::infinity(), bare = least;
   for (Index i = 0; i < 5; ++i)
     for (Index j = 0; j < i; ++j) {
       std::vector<Index> kept;
@@ -62,8 +74,11 @@ TEST(BaseColumns, WithoutTwoIsTheBestOfAllPairs) {
         if (c != i && c != j) kept.push_back(c);
       const Matrix few = columns(Eigen::all, kept);
       least = std::min(least, residual_squares(joined(few, more), target));
+      bare = std::min(bare, residual_squares(few, target));
     }
   EXPECT_NEAR(BaseColumns(columns, target).left_without_two(more), least, 1e-10);
+  EXPECT_NEAR(BaseColumns(columns, target).left_without_two(), bare, 1e-10);
+  EXPECT_TRUE(std::isinf(BaseColumns(more, target).left_without_two()));
 }
 
 TEST(BaseColumns, DependentColumnsCountOnceAndWhatIsNotFiniteIsNoColumn) {

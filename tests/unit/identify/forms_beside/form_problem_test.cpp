@@ -84,6 +84,28 @@ TEST(FormProblem, RatesStartsBesideEachEquation) {
   }
 }
 
+TEST(FormProblem, LeftBeforeAFormIsThatOfTheTermsThatStay) {
+  const FormProblem problem(decay(), Vector::Zero(1), {});
+  EquationForms three{0, problem.linear_terms(), {{form_of_x("exp(x)"), Vector()}}};
+  EXPECT_NEAR(problem.left(Beside{three}), problem.left(three), 1e-15);
+  double least = problem.left(EquationForms{0, {}, three.forms});
+  for (const Term& term : three.terms) least = std::min(least, problem.left({0, {term}, {}}));
+  EXPECT_NEAR(problem.left(Beside{three, true}), least, 1e-9 * least + 1e-15);
+}
+
+TEST(FormProblem, PromisingStartsTakeTheirPartOfWhatIsLeft) {
+  const auto kept = [](double left, double limit, double fraction) {
+    std::vector<Start> starts(3);
+    starts[0].left = 9.0, starts[1].left = 6.0, starts[2].left = 2.0;
+    return promising(starts, left, limit, fraction).size();
+  };
+  EXPECT_EQ(kept(10.0, 0.0, 0.5), 1u);
+  EXPECT_EQ(kept(10.0, 0.0, 0.2), 2u);
+  EXPECT_EQ(kept(10.0, 4.0, 0.5), 2u);  // at most 10 - (10 - 4) / 2
+  EXPECT_EQ(kept(10.0, 0.0, 0.0), 3u);
+  EXPECT_EQ(kept(5.0, 7.0, 0.5), 1u);  // nothing lacks: only what leaves no more
+}
+
 TEST(FormProblem, ThinnedKeepsTheFormAndWhatIsNeeded) {
   const FormProblem problem(decay(), Vector::Zero(1), {});
   const EquationForms all{0, problem.linear_terms(), {}};

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <map>
+#include <optional>
 
 #include "lacuna/bases/expressions.hpp"
 #include "lacuna/bases/monomials.hpp"
@@ -55,6 +56,18 @@ Stlsq thresholding(double threshold) {
   StlsqOptions options;
   options.threshold = threshold;
   return Stlsq(options);
+}
+
+TEST(Identify, GivesTheModelOfTheRegressionBeforeItIsRefined) {
+  const Dataset data = without_derivatives(add_relative_noise(rossler_record(2000), 0.01, 5));
+  Pipeline pipeline = algorithm1();
+  std::optional<OdeModel> first;
+  const OdeModel last =
+      identify(data, pipeline, {}, [&](const IdentificationResult& r) { first = r.model; }).model;
+  pipeline.refiner = NoRefiner{};
+  ASSERT_TRUE(first);
+  expect_same_model(*first, identify(data, pipeline).model, 0.0);
+  EXPECT_NE(first->coefficient(0, "y"), last.coefficient(0, "y"));
 }
 
 TEST(Identify, FindsRosslerFromExactDerivativesToTheLastDigits) {

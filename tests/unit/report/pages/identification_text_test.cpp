@@ -14,6 +14,12 @@ TEST(IdentificationText, ShowsEquationsAndErrors) {
   EXPECT_THAT(text, HasSubstr("  dy/dt = -(2 +- 0.02)*x\n"));
 }
 
+TEST(IdentificationText, AFirstAnswerHasTheEquationsAndSaysThatItIsNotTheLast) {
+  const std::string text = first_answer_text(sample_report().result);
+  EXPECT_THAT(text, ::testing::StartsWith("First answer, by regression; it is being refined"));
+  EXPECT_THAT(text, HasSubstr("  dy/dt = -(2 +- 0.02)*x\n"));
+}
+
 TEST(IdentificationText, SaysWhatIsNotDetermined) {
   const Variables variables{{"x", "y"}, {}};
   IdentificationReport report = sample_report();
