@@ -282,11 +282,13 @@ double FormProblem::fit_shapes(const BaseColumns& base, MissingForm& form,
   if (start.size() == 0) return base.left_with(column(start));
   const CubeMinimum reached =
       gauss_newton([&](const Vector& at) { return base.rest_with(column(at)); }, start);
-  if (reached.converged) {
+  // At an end of its range a shape is not found, and a form is one of the library's terms.
+  const bool is_inside = reached.point.minCoeff() > 0.0 && reached.point.maxCoeff() < 1.0;
+  if (reached.converged && is_inside) {
     form.shapes = scale.shapes(reached.point);
     return reached.squares;
   }
-  // Jumps have no derivative: they are sought without.
+  // Jumps have no derivative: they are sought without one.
   const auto left = [&](const Vector& at) {
     return std::log(std::max(base.left_with(column(at)), 1e-300));
   };
@@ -320,20 +322,31 @@ Matrix FormProblem::rated(const std::vector<Beside>& equations,
 }
 
 Trial FormProblem::without_least(const EquationForms& equation) const {
+  // Facts of rounding: sums of squares that differ by less are one.
+  constexpr double kSame = 1e-6, kRounding = 1e-20;
   Trial best{equation, std::numeric_limits<double>::infinity()};
   const auto members = static_cast<Index>(equation.terms.size() + equation.forms.size());
-  const auto losses = column_losses(columns(equation), rows_.target(equation.equation));
+  const Vector target = rows_.target(equation.equation);
+  const auto losses = column_losses(columns(equation), target);
+  // Of members that can stand for one another (x for max(x, 0) and min(x, 0)) the one with most
+  // parameters goes.
+  const auto is_better = [&](const Trial& trial) {
+    const double same = kSame * best.left + kRounding * target.squaredNorm();
+    if (std::isfinite(best.left) && std::abs(trial.left - best.left) <= same)
+      return trial.equation.parameters() < best.equation.parameters();
+    return trial.left < best.left;
+  };
   for (Index i = 0; i + 1 < members; ++i) {
     // Where columns depend on one another each is tried.
     if (losses && (*losses)[i] > losses->head(members - 1).minCoeff()) continue;
-    EquationForms fewer = equation;
+    Trial fewer{equation, 0.0};
     const auto place = static_cast<std::size_t>(i);
     if (place < equation.terms.size())
-      fewer.terms = without(equation.terms, place);
+      fewer.equation.terms = without(equation.terms, place);
     else
-      fewer.forms = without(equation.forms, place - equation.terms.size());
-    const double without_it = left(fewer);
-    if (without_it < best.left) best = {std::move(fewer), without_it};
+      fewer.equation.forms = without(equation.forms, place - equation.terms.size());
+    fewer.left = left(fewer.equation);
+    if (is_better(fewer)) best = std::move(fewer);
   }
   return best;
 }

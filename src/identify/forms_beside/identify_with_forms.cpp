@@ -171,7 +171,8 @@ std::optional<std::vector<EquationForms>> thinned(const FormsTask& task,
     equations[k] = kept[k];
     if (fits && kept[k].parameters() < fewest) continue;
     equations[k] = search.refitted(search.with_fewer_terms(
-        kept[k], task.candidates[k], task.pipeline.library().terms, left_by(found.fit[k])));
+        kept[k], task.candidates[k], task.pipeline.library().terms, left_by(found.fit[k]),
+        task.negligible()));
     changed = changed || !equations[k].forms.empty();
   }
   return changed ? std::optional(std::move(equations)) : std::nullopt;

@@ -83,8 +83,7 @@ EquationForms FormSearch::recomposed(const EquationForms& equation,
                                      double negligible) const {
   const Index k = equation.equation;
   const auto most_forms = static_cast<std::size_t>(problem_->options().most_forms);
-  const double solver =
-      negligible * negligible * problem_->all_rows().target(k).squaredNorm();
+  const double solver = squares_of(negligible, k);
   const double least = std::max(solver, problem_->residual_noise(k));
   EquationForms whole{k, library, {}};
   if (problem_->left(whole) <= least) return whole;
@@ -149,6 +148,10 @@ double FormSearch::fitting(double noise) const {
   return (1.0 + scatter) * noise;
 }
 
+double FormSearch::squares_of(double fraction, Index equation) const {
+  return fraction * fraction * problem_->all_rows().target(equation).squaredNorm();
+}
+
 bool FormSearch::leaves_noise(const EquationForms& equation, Remainder remainder) const {
   return remainder == Remainder::Noise ||
          problem_->left(equation) <= fitting(problem_->residual_noise(equation.equation));
@@ -179,11 +182,12 @@ EquationForms FormSearch::extended(EquationForms equation,
 EquationForms FormSearch::with_fewer_terms(EquationForms equation,
                                            const std::vector<Candidate>& candidates,
                                            const std::vector<Term>& library,
-                                           Remainder remainder) const {
+                                           Remainder remainder, double negligible) const {
   const auto tried = static_cast<std::size_t>(problem_->options().thinned);
   if (equation.terms.size() + equation.forms.size() < 2) return equation;
   Trial best{equation, problem_->left(equation)};
-  const Limit limit = problem_->limit_of(equation, remainder);
+  Limit limit = problem_->limit_of(equation, remainder);
+  limit.left = std::max(limit.left, squares_of(negligible, equation.equation));
   const EquationForms linear{equation.equation, problem_->linear_terms(), {}};
   const EquationForms whole{equation.equation, library, {}};
   const auto take = [&](const Trial& now) {
@@ -219,7 +223,8 @@ EquationForms FormSearch::with_fewer_terms(EquationForms equation,
   }
   // One form may do the work of some terms, another that of others.
   if (best.equation.parameters() < equation.parameters())
-    return with_fewer_terms(std::move(best.equation), candidates, library, remainder);
+    return with_fewer_terms(std::move(best.equation), candidates, library, remainder,
+                            negligible);
   return best.equation;
 }
 

@@ -92,12 +92,14 @@ class FormSearch {
 
   /// Looks for a form beside which so many terms and forms may leave that fewer parameters
   /// are equivalent: sin(x) for x, x^3, x*y^2, beside what the equation has, beside the
-  /// constant and the variables, and beside terms of a library. @return the equation with the
-  /// fewest.
+  /// constant and the variables, and beside terms of a library.
+  /// @param negligible as of recomposed(): what it describes needs no parameters.
+  /// @return the equation with the fewest.
   EquationForms with_fewer_terms(EquationForms equation,
                                  const std::vector<Candidate>& candidates,
                                  const std::vector<Term>& library,
-                                 Remainder remainder = Remainder::Unknown) const;
+                                 Remainder remainder = Remainder::Unknown,
+                                 double negligible = 0.0) const;
 
   /// The equation with plain forms in the place of shaped ones that are nearly the same at the
   /// samples. Nothing where there is none.
@@ -132,6 +134,9 @@ class FormSearch {
 
   /// The most that an equation leaves that fits to so much noise (sums of squares).
   double fitting(double noise) const;
+
+  /// The sum of squares that is this fraction (rms) of the target.
+  double squares_of(double fraction, Index equation) const;
 
   /// Whether an equation leaves no more than noise.
   bool leaves_noise(const EquationForms& equation, Remainder remainder) const;

@@ -130,6 +130,25 @@ double least_without_one(const FormProblem& problem, const EquationForms& all) {
   return least;
 }
 
+/// A form with a bend at e, which stays at a half.
+MissingForm bend(const std::string& form) {
+  Candidate candidate = form_of_x(form);
+  candidate.shapes = {{"e", "", 0.5, 0.5, false}};
+  candidate.starts = {Vector::Constant(1, 0.5)};
+  return {candidate, Vector::Constant(1, 0.5)};
+}
+
+TEST(FormProblem, OfMembersThatStandForOneAnotherThoseOfMostParametersGo) {
+  const FormProblem problem(decay(), Vector::Zero(1), {});
+  const EquationForms all{  // the forms are x together
+      0, {problem.linear_terms()[1]}, {bend("max(x-e,0)"), bend("min(x,e)")}};
+  const double limit = 1e6 * problem.residual_noise(0);
+  const Trial thin = problem.thinned(all, {form_of_x("sin(x)"), Vector()}, {limit, 0.0, 9});
+  ASSERT_EQ(thin.equation.terms.size(), 1u);
+  EXPECT_EQ(thin.equation.terms[0].name(), "x");
+  EXPECT_EQ(thin.equation.forms.size(), 1u);
+}
+
 TEST(FormProblem, ThinnedDropsWhatCostsLeast) {
   const FormProblem problem(decay(), Vector::Zero(1), {});
   const std::vector<std::string> pool{"x^2",     "x^3",      "exp(x)",

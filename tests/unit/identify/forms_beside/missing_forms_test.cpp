@@ -68,6 +68,20 @@ TEST(FormSearch, OneFormDoesTheWorkOfManyTerms) {
   EXPECT_EQ(few.parameters(), 1u);
 }
 
+TEST(FormSearch, WhatIsNegligibleNeedsNoParameters) {
+  const Oscillator c("sin(x)+0.0005*x*y");
+  const FormSearch search(c.data, c.sigma);
+  const auto few = [&](double negligible) {
+    return search.with_fewer_terms(c.bare(), c.candidates(), c.library.terms,
+                                   Remainder::Unknown, negligible);
+  };
+  EXPECT_GT(few(0.0).parameters(), 1u);
+  const EquationForms plain = few(0.01);
+  ASSERT_EQ(plain.forms.size(), 1u);
+  EXPECT_TRUE(plain.terms.empty());
+  EXPECT_EQ(plain.forms[0].expression().to_string(), "sin(x)");
+}
+
 TEST(FormSearch, WhatATaylorSeriesStoodForIsOneComposition) {
   const Oscillator c("x*exp(x/3)");
   const FormSearch search(c.data, c.sigma);
