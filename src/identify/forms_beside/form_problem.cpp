@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <optional>
 
 #include "base_columns.hpp"
@@ -63,25 +64,21 @@ void set_residuals(const Vector& left, std::vector<Start>& starts) {
   for (std::size_t i = 0; i < starts.size(); ++i) starts[i].left = left[static_cast<Index>(i)];
 }
 
-/// The first so many, each candidate at its best starting point only.
-std::vector<Start> best_of(std::vector<Start> starts, std::size_t count) {
-  std::stable_sort(starts.begin(), starts.end(),
-                   [](const Start& a, const Start& b) { return a.left < b.left; });
+std::vector<Start> best_of(const std::vector<Start>& starts, std::size_t count, double most) {
+  std::vector<std::size_t> order(starts.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return starts[a].left < starts[b].left;
+  });
   std::vector<Start> best;
-  for (Start& start : starts) {
-    if (best.size() == count) break;
+  for (const std::size_t i : order) {
+    const Start& start = starts[i];
+    if (best.size() == count || !(start.left <= most)) break;
     if (std::none_of(best.begin(), best.end(),
                      [&](const Start& other) { return other.candidate == start.candidate; }))
-      best.push_back(std::move(start));
+      best.push_back(start);
   }
   return best;
-}
-
-std::vector<Start> promising(std::vector<Start> starts, double left, double limit,
-                             double fraction) {
-  const double most = left - fraction * std::max(0.0, left - limit);
-  std::erase_if(starts, [&](const Start& start) { return !(start.left <= most); });
-  return starts;
 }
 
 double Limit::operator()(const EquationForms& equation) const {
@@ -161,7 +158,7 @@ std::vector<Trial> FormProblem::with_each(const EquationForms& equation,
   const BaseColumns base(columns(equation), rows_.target(equation.equation));
   std::vector<Trial> trials;
   for (const Start& start :
-       best_of(std::move(starts), static_cast<std::size_t>(options_.rough_fits))) {
+       best_of(starts, static_cast<std::size_t>(options_.rough_fits))) {
     if (has_form(equation, start.form.candidate)) continue;
     trials.push_back({equation, 0.0});
     trials.back().equation.forms.push_back(start.form);

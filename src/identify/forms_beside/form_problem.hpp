@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -28,17 +29,15 @@ std::vector<Start> all_starts(const std::vector<Candidate>& candidates);
 void set_residuals(const Vector& left, std::vector<Start>& starts);
 
 /// The first so many, those that leave least first, each candidate at its best starting point.
-std::vector<Start> best_of(std::vector<Start> starts, std::size_t count);
+/// @param most that one of them leaves.
+std::vector<Start> best_of(const std::vector<Start>& starts, std::size_t count,
+                           double most = std::numeric_limits<double>::infinity());
 
 /// An equation to which a form is added.
 struct Beside {
   const EquationForms& equation;
   bool without_two = false;  ///< two of its terms, those that are missed least, are gone
 };
-
-/// The starts that take at least this fraction of what is left beyond a limit without a form.
-std::vector<Start> promising(std::vector<Start> starts, double left, double limit,
-                             double fraction);
 
 /// An equation and what it leaves.
 struct Trial {

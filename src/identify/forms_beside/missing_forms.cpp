@@ -26,6 +26,11 @@ bool is_among(const Start& start, const std::vector<Start>& others) {
   });
 }
 
+/// The most that is left where a form takes a fraction of what is left beyond a limit without it.
+double most_left(double left, double limit, double fraction) {
+  return left - fraction * std::max(0.0, left - limit);
+}
+
 /// Without a form that is there twice: two that were shaped apart may have become one.
 std::vector<MissingForm> distinct(const std::vector<MissingForm>& forms) {
   std::vector<MissingForm> result;
@@ -203,9 +208,10 @@ EquationForms FormSearch::with_fewer_terms(EquationForms equation,
     // What forms take of noise beside the whole library is chance.
     if (from == &whole && leaves_noise(whole, remainder)) continue;
     set_residuals(rated.col(static_cast<Index>(b)), starts);
+    // Beside the whole library little lacks: there any form may be the one.
     const double fraction = from == &whole ? 0.0 : problem_->options().takes;
     const std::vector<Start> best_starts =
-        best_of(promising(starts, problem_->left(bases[b]), limit.left, fraction), tried);
+        best_of(starts, tried, most_left(problem_->left(bases[b]), limit.left, fraction));
     std::vector<std::array<std::optional<Trial>, 2>> trials(best_starts.size());
     parallel_for(trials.size(), problem_->context().threads, [&](std::size_t i) {
       const MissingForm& form = best_starts[i].form;

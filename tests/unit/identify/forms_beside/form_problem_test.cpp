@@ -93,17 +93,19 @@ TEST(FormProblem, LeftBeforeAFormIsThatOfTheTermsThatStay) {
   EXPECT_NEAR(problem.left(Beside{three, true}), least, 1e-9 * least + 1e-15);
 }
 
-TEST(FormProblem, PromisingStartsTakeTheirPartOfWhatIsLeft) {
-  const auto kept = [](double left, double limit, double fraction) {
-    std::vector<Start> starts(3);
-    starts[0].left = 9.0, starts[1].left = 6.0, starts[2].left = 2.0;
-    return promising(starts, left, limit, fraction).size();
+TEST(FormProblem, TheBestStartsAreThoseOfEachCandidateThatLeaveLeast) {
+  std::vector<Start> starts(5);
+  for (std::size_t i = 0; i < starts.size(); ++i) starts[i].candidate = i / 2;  // 0 0 1 1 2
+  set_residuals(Vector{{9.0, 3.0, 5.0, 6.0, INFINITY}}, starts);
+  const auto left = [&](std::size_t count, double most) {
+    std::vector<double> values;
+    for (const Start& start : best_of(starts, count, most)) values.push_back(start.left);
+    return values;
   };
-  EXPECT_EQ(kept(10.0, 0.0, 0.5), 1u);
-  EXPECT_EQ(kept(10.0, 0.0, 0.2), 2u);
-  EXPECT_EQ(kept(10.0, 4.0, 0.5), 2u);  // at most 10 - (10 - 4) / 2
-  EXPECT_EQ(kept(10.0, 0.0, 0.0), 3u);
-  EXPECT_EQ(kept(5.0, 7.0, 0.5), 1u);  // nothing lacks: only what leaves no more
+  EXPECT_EQ(left(3, 1e300), (std::vector<double>{3.0, 5.0}));
+  EXPECT_EQ(left(1, 1e300), (std::vector<double>{3.0}));
+  EXPECT_EQ(left(3, 4.0), (std::vector<double>{3.0}));
+  EXPECT_TRUE(left(3, 2.0).empty());
 }
 
 TEST(FormProblem, ThinnedKeepsTheFormAndWhatIsNeeded) {
