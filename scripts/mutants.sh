@@ -24,7 +24,7 @@ pattern=${1:-}
 list=tests/mutants/mutants.txt
 tree=build/mutants
 results=build/mutants.results  # "RESULT in COMMIT<tab>ENTRY" of all runs
-limit=300  # seconds for the tests of one change; one that goes on longer is noticed
+limit=300  # seconds of a core for the tests of one change; one that goes on longer is noticed
 
 # So many in turn, each day those behind the ones of the day before.
 of_the_day() {
@@ -87,8 +87,9 @@ prepare() {
 run_tests() {
   local filter='*'
   case $1 in *:*) filter=${1#*:} ;; esac
-  timeout "$limit" env LD_PRELOAD="${2:-}" "$tree/build/$preset/tests/${1%%:*}" \
-    --gtest_brief=1 --gtest_fail_fast --gtest_filter="$filter" > /dev/null 2>&1
+  (ulimit -c 0 -t "$limit"
+    exec timeout "$((10 * limit))" env LD_PRELOAD="${2:-}" \
+      "$tree/build/$preset/tests/${1%%:*}" --gtest_brief=1 --gtest_fail_fast --gtest_filter="$filter") > /dev/null 2>&1
 }
 
 # tests_notice [LIBRARY]: whether one of the entry's tests fails

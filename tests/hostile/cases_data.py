@@ -242,9 +242,57 @@ def archive_cases():
                    [0.1 * i for i in range(ROWS)]).partition(b"\n")[2])})
 
 
+def workbook(cells, shared="<si><t>x</t></si>"):
+    """An .xlsx of one sheet: time, and a signal whose name is shared text 0."""
+    rows = ['<row r="1"><c r="A1" t="str"><v>t</v></c><c r="B1" t="s"><v>0</v></c></row>']
+    rows += ['<row r="%d"><c r="A%d"><v>%.1f</v></c><c r="B%d"><v>%.9f</v></c></row>'
+             % (i + 2, i + 2, 0.1 * i, i + 2, signal(i)) for i in range(ROWS)]
+    name = "http://schemas.openxmlformats.org/package/2006/relationships"
+    return archive({
+        "xl/workbook.xml": '<workbook xmlns:r="r"><sheets><sheet name="S" r:id="rId1"/></sheets>'
+                           "</workbook>",
+        "xl/_rels/workbook.xml.rels": '<Relationships xmlns="%s"><Relationship Id="rId1" '
+                                      'Target="worksheets/a.xml"/></Relationships>' % name,
+        "xl/sharedStrings.xml": "<sst>%s</sst>" % shared,
+        "xl/worksheets/a.xml": "<worksheet><sheetData>%s%s</sheetData></worksheet>"
+                               % ("".join(rows), cells)}, zipfile.ZIP_DEFLATED)
+
+
+def sheet_cases():
+    lines = "".join('<row r="%d"><c r="A%d"><v>%d</v></c></row>' % (i, i, i)
+                    for i in range(100, 20000))
+    for name, cells, part in [
+            ("a stray cell", lines + '<row r="20000"><c r="XFD20000"><v>1</v></c></row>',
+             "more cells than any record"),
+            ("a cell beyond all", '<row r="9999999999"><c r="ZZZZ1"><v>1</v></c></row>',
+             "more cells than any record"),
+            ("a text that is not there", '<row r="62"><c r="A62" t="s"><v>1</v></c></row>',
+             "names a text that is not there"),
+            ("tags in one another", "<a>" * 200000 + "</a>" * 200000, None)]:
+        yield Case("sheet: " + name, "check r.xlsx", 2 if part else 0, part or "step 0.1 s",
+                   {"r.xlsx": workbook(cells)})
+
+
+def wide_cases():
+    for count in [400, 3000]:
+        header = ",".join(["t"] + ["c%d" % k for k in range(count)])
+        rows = [",".join(["%d" % i] + ["%d" % (i * k % 97) for k in range(count)])
+                for i in range(12)]
+        yield Case("wide: %d columns" % count, "check r.csv", 0, "c%d" % (count - 1),
+                   {"r.csv": "\n".join([header] + rows).encode()})
+
+
+def minus_cases():
+    plain = csv([0.1 * i for i in range(ROWS)])
+    yield Case("minus: of typesetting", "identify r.csv --degree 1 --embed x=2", 0, "Equations",
+               {"r.csv": plain.replace(b"-", "\u2212".encode())})
+    yield Case("minus: alone", "check r.csv", 2, "is not a number",
+               {"r.csv": plain + "6,\u2212\n".encode()})
+
+
 def cases():
     found = []
     for make in [stamp_cases, resolution_cases, clock_cases, unit_cases, comma_cases,
-                 archive_cases]:
+                 archive_cases, sheet_cases, wide_cases, minus_cases]:
         found += make()
     return found

@@ -60,6 +60,17 @@ std::optional<double> infinite_sign(std::string_view field) {
   return std::nullopt;
 }
 
+/// The minus sign of typesetting, U+2212, as the one of numbers; nothing where there is none.
+std::optional<std::string> with_plain_minus(std::string_view field) {
+  constexpr std::string_view kMinus = "\u2212";
+  std::string plain(field);
+  std::size_t at = plain.find(kMinus);
+  if (at == std::string::npos) return std::nullopt;
+  for (; at != std::string::npos; at = plain.find(kMinus, at))
+    plain.replace(at, kMinus.size(), "-");
+  return plain;
+}
+
 void split_blanks(std::string_view line, std::vector<std::string_view>& fields) {
   std::size_t begin = 0;
   while (begin < line.size()) {
@@ -99,6 +110,7 @@ TextField read_field(std::string_view field) {
   if (const auto value = decimal_comma_number(field)) return {TextField::Kind::Number, *value};
   if (const auto value = grouped_number(field)) return {TextField::Kind::Number, *value};
   if (const auto value = infinite_sign(field)) return {TextField::Kind::Number, *value};
+  if (const auto plain = with_plain_minus(field)) return read_field(*plain);
   return {TextField::Kind::Text, kNothing};
 }
 

@@ -18,6 +18,10 @@ constexpr std::size_t kMostRows = 1048576, kMostColumns = 16384;
 /// A sheet with more is no record: a full sheet of Excel with 19 columns takes 1 GB here.
 constexpr std::size_t kMostCells = 20'000'000;
 
+/// Fields of all lines, empty ones too, of which each takes a byte and more of text: a stray cell
+/// in the last column makes 16 384 of every line.
+constexpr std::size_t kMostFields = 10 * kMostCells;
+
 std::string in_one_line(std::string text) {
   std::replace_if(
       text.begin(), text.end(), [](char c) { return c == '\t' || c == '\n' || c == '\r'; }, ' ');
@@ -60,9 +64,12 @@ std::string date_text(std::int64_t days) {
 }  // namespace
 
 void SheetRows::expect(std::size_t cells) const {
-  if (cells > kMostCells - std::min(cells_, kMostCells))
-    throw DataError(source_, "the sheet has more cells than any record",
-                    "check that it is one, and save it as .csv");
+  if (cells > kMostCells - std::min(cells_, kMostCells)) refuse();
+}
+
+void SheetRows::refuse() const {
+  throw DataError(source_, "the sheet has more cells than any record",
+                  "check that it is one, and save it as .csv");
 }
 
 void SheetRows::put(std::size_t row, std::size_t column, std::string text) {
@@ -76,7 +83,12 @@ void SheetRows::put(std::size_t row, std::size_t column, std::string text) {
 
 std::string SheetRows::text() const {
   std::size_t columns = 0;
-  for (const auto& row : rows_) columns = std::max(columns, row.size());
+  std::size_t lines = 0;
+  for (const auto& row : rows_) {
+    columns = std::max(columns, row.size());
+    if (!row.empty()) ++lines;
+  }
+  if (lines * columns > kMostFields) refuse();
   std::string text;
   for (const auto& row : rows_) {
     for (std::size_t i = 0; i < columns && !row.empty(); ++i) {

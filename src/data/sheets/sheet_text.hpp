@@ -22,10 +22,12 @@ class SheetRows {
   void expect(std::size_t cells) const;
 
   /// Lines with tabs between the cells: line n is row n. Tabs, line ends and quotes in cells
-  /// are blanks.
+  /// are blanks. @throws DataError where blank cells make too many of them.
   std::string text() const;
 
  private:
+  [[noreturn]] void refuse() const;
+
   std::string source_;
   std::vector<std::vector<std::string>> rows_;
   std::size_t cells_ = 0;

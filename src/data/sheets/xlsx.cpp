@@ -134,11 +134,15 @@ struct CellTables {
   bool since_1904 = false;
 };
 
-std::string text_of(const OpenCell& cell, const CellTables& tables) {
+/// @throws DataError where it names a text that there is not.
+std::string text_of(const OpenCell& cell, const CellTables& tables, const std::string& source) {
   if (cell.kind == "e") return "";
   if (cell.kind == "s") {
     const std::size_t number = whole_number(cell.text);
-    return number < tables.texts.size() ? tables.texts[number] : "";
+    if (number < tables.texts.size()) return tables.texts[number];
+    throw DataError(source, "a cell in row " + std::to_string(cell.row + 1) +
+                                " names a text that is not there",
+                    "the file is damaged; save the sheet again, or as .csv");
   }
   const bool is_number = cell.kind.empty() || cell.kind == "n";
   if (!is_number || cell.style >= tables.is_date.size() || !tables.is_date[cell.style])
@@ -173,7 +177,7 @@ SheetRows read_cells(const ZipArchive& archive, const std::string& file,
   };
   const auto end = [&](std::string_view name) {
     is_value = false;
-    if (name == "c") rows.put(cell.row, cell.column, text_of(cell, tables));
+    if (name == "c") rows.put(cell.row, cell.column, text_of(cell, tables, archive.source));
   };
   const auto text = [&](std::string_view part) {
     if (is_value) cell.text += part;

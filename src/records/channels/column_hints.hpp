@@ -27,7 +27,8 @@ struct ColumnRemark {
   std::string sentence;  ///< without a full stop: "c follows from a, b and is no state of its own"
 };
 
-/// Columns that are no states of their own, of records without a model; held ones first.
+/// Columns that are no states of their own, of records without a model; held ones first. Of more
+/// than 64 columns none are compared: the triples of them are too many.
 std::vector<ColumnRemark> column_remarks(const Dataset& data);
 
 /// The same as hints.

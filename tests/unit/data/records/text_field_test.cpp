@@ -52,6 +52,15 @@ TEST(ReadField, TheSignOfInfinity) {
   EXPECT_EQ(read_field("-\u221e").value, -std::numeric_limits<double>::infinity());
 }
 
+TEST(ReadField, TheMinusSignOfTypesetting) {
+  EXPECT_EQ(read_field("\u22121.5e\u22123").value, -1.5e-3);
+  EXPECT_EQ(read_field("\"\u22120,25\"").value, -0.25);
+  EXPECT_EQ(read_field("\u221212.345,5").value, -12345.5);
+  EXPECT_EQ(read_field("\u2212\u221e").value, -std::numeric_limits<double>::infinity());
+  EXPECT_EQ(read_field("\u2212").kind, Kind::Text);
+  EXPECT_EQ(read_field("1\u22122").kind, Kind::Text);
+}
+
 TEST(SplitFields, TrimsAndKeepsEmptyFields) {
   EXPECT_THAT(fields_of(" 1 ,, 2\r", ','), ElementsAre("1", "", "2"));
   EXPECT_THAT(fields_of("1\t\t2", '\t'), ElementsAre("1", "", "2"));

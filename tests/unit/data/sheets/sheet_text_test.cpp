@@ -23,6 +23,15 @@ TEST(SheetText, NoRecordHasCellsWithoutEnd) {
   EXPECT_THROW(rows.put(1048576, 0, "1"), DataError);
 }
 
+TEST(SheetText, AStrayCellDoesNotFillTheMemoryWithBlankOnes) {
+  SheetRows rows("a.xlsx");
+  for (std::size_t i = 0; i < 10; ++i) rows.put(i, 0, "1");
+  rows.put(0, 16383, "1");
+  EXPECT_EQ(rows.text().size(), 10u * 16384u + 11u);
+  for (std::size_t i = 10; i < 13000; ++i) rows.put(i, 0, "1");
+  EXPECT_THROW((void)rows.text(), DataError);
+}
+
 /// 25569 is 1 January 1970 (days between the two dates, as every spreadsheet has them); others
 /// by Python's datetime(1899, 12, 30) + timedelta(days=...).
 TEST(SheetText, DatesOfSerials) {

@@ -122,6 +122,10 @@ TEST(Workbook, DamagedOnesAreRefused) {
   expect_error<DataError>(
       [] { sheet_text(testing::zip_archive({{"mimetype", "x"}}), "A", "a.ods"); }, "a.ods",
       "no sheet in it", "");
+  const std::string without_text = xlsx_with(
+      "<row r=\"2\"><c r=\"A2\" t=\"s\"><v>2</v></c><c r=\"B2\" t=\"s\"><v>3</v></c></row>");
+  expect_error<DataError>([&] { sheet_text(without_text, "Messung", "a.xlsx"); }, "a.xlsx",
+                          "a cell in row 2 names a text that is not there", "save the sheet");
 }
 
 TEST(Workbook, IsReadAsATable) {

@@ -63,6 +63,10 @@ TEST(Alternatives, AreDistinctStructuresThatTheRecordDoesNotDistinguish) {
   }
   EXPECT_GT(weights, 0.05);
   EXPECT_LT(weights, 1.0);
+  const double between = 0.5 * (found.front().criterion + found.back().criterion);
+  const auto nearer = find_alternatives(data, best, pipeline, {.count = 4, .difference = between});
+  EXPECT_GE(nearer.size(), 1u);
+  EXPECT_LT(nearer.size(), found.size()) << "the others are distinguished by that much";
   // Each is how much less likely than the next as their criteria say.
   EXPECT_NEAR(found[1].weight / found[0].weight,
               std::exp(0.5 * (found[0].criterion - found[1].criterion)), 1e-9);

@@ -40,6 +40,19 @@ TEST(Rounding, MovesACoefficientByLessThanATwentiethOfItsInterval) {
   }
 }
 
+/// 1.9599639845 standard errors (the normal distribution's table) are half an interval of 95 %:
+/// 0.0053 has another second digit than 0.0104.
+TEST(Rounding, AStandardErrorIsNoHalfInterval) {
+  const Term x = Term::parse("x", kOnlyX);
+  const WeightedTerm summand{x, 1.23456789, 0.0053};
+  EXPECT_NEAR(*half_interval(summand), 0.0053 * 1.9599639845, 1e-12);
+  EXPECT_EQ(coefficient_of(rounded(model_of(summand))), 1.235);
+  SystemModel model = parse_ode_system("param k = 1.23456789\ndx/dt = -k*x\n", "m");
+  std::vector<Parameter> parameters = model.parameters();
+  parameters[0].standard_error = 0.0053;
+  EXPECT_EQ(rounded({model.symbolic(), parameters}).parameters()[0].value, 1.235);
+}
+
 TEST(Rounding, LeavesWhatIsFixedOrHasNoInterval) {
   const Term x = Term::parse("x", kOnlyX);
   EXPECT_EQ(coefficient_of(rounded(model_of({x, 1.23456789}))), 1.23456789);

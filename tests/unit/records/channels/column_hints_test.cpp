@@ -74,6 +74,28 @@ TEST(ColumnHints, WhatIsNearlyComputedIsNot) {
   EXPECT_TRUE(column_hints(waves_of({"x", "y"}, wave_x, nearly)).empty());
 }
 
+/// Columns without a relation, then the product of the first two.
+Dataset wide_record(Index states) {
+  Dataset data;
+  Trajectory record;
+  record.time = Vector::LinSpaced(12, 0.0, 11.0);
+  record.states.resize(12, states);
+  for (Index k = 0; k < states; ++k) {
+    for (Index i = 0; i < 12; ++i)
+      record.states(i, k) = std::sin(1.7 * static_cast<double>((k + 3) * (i + 1) * (i + 1)));
+    data.states.push_back({"c" + std::to_string(k), ""});
+  }
+  record.states.rightCols(1) = record.states.col(0).cwiseProduct(record.states.col(1));
+  data.trajectories = {record};
+  return data;
+}
+
+TEST(ColumnHints, OfManyColumnsNoneAreCompared) {
+  expect_one(wide_record(64), "c63 follows from c0, c1", "--states c0,c1");
+  EXPECT_TRUE(column_hints(wide_record(65)).empty());
+  EXPECT_TRUE(column_hints(wide_record(5000)).empty()) << "and this ends";
+}
+
 TEST(ColumnHints, AHeldColumnLooksLikeAnInput) {
   const auto held = [](Index i) { return wave_y(i / 5 * 5); };
   const auto coarse = [](Index i) { return std::floor(4.0 * wave_y(i)); };
