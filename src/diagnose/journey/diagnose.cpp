@@ -2,6 +2,7 @@
 // The journey: records -> baseline -> composite models -> the best of them -> gap -> answer.
 #include "lacuna/diagnose/journey/diagnose.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <iterator>
@@ -141,7 +142,7 @@ Gaps gaps_in_time(const Problem& problem, const CompositeModel& composite,
 }
 
 /// The faults of the measurement alone, where effects of the dynamics beside them make a minor
-/// difference to the records that were not used. The form of a fault is an approximation (a
+/// difference to the records that were not used, or explain these to their noise. The form of a fault is an approximation (a
 /// sensor that shows means of its last samples is no pure delay): what it leaves is no structure
 /// of the device, however significant.
 std::optional<CompositeModel> faults_that_suffice(const Problem& problem,
@@ -151,8 +152,11 @@ std::optional<CompositeModel> faults_that_suffice(const Problem& problem,
   std::optional<CompositeModel> alone = faults_alone(problem, evaluated.judged.best);
   if (!alone) return std::nullopt;
   const std::optional<Gap> gap = gap_of(problem, problem.nominal, *alone, check);
-  const double most = (1.0 + problem.options.decision.minor) * evaluated.gap->after;
-  return gap && gap->after <= most ? std::move(alone) : std::nullopt;
+  if (!gap) return std::nullopt;
+  const DecisionOptions& decision = problem.options.decision;
+  const double most = std::max((1.0 + decision.minor) * evaluated.gap->after,
+                               decision.explained_gap * gap->noise_floor);
+  return gap->after <= most ? std::move(alone) : std::nullopt;
 }
 
 /// What is named before all was judged that may stand in its place is no whole explanation.
