@@ -142,9 +142,9 @@ Gaps gaps_in_time(const Problem& problem, const CompositeModel& composite,
 }
 
 /// The faults of the measurement alone, where effects of the dynamics beside them make a minor
-/// difference to the records that were not used, or explain these to their noise. The form of a fault is an approximation (a
-/// sensor that shows means of its last samples is no pure delay): what it leaves is no structure
-/// of the device, however significant.
+/// difference to the records that were not used, or explain these to their noise. The form of a
+/// fault is an approximation (a sensor that shows means of its last samples is no pure delay):
+/// what it leaves is no structure of the device, however significant.
 std::optional<CompositeModel> faults_that_suffice(const Problem& problem,
                                                   const EvaluatedComposite& evaluated,
                                                   const BoundRecords& check) {
