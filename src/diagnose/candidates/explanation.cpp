@@ -185,15 +185,13 @@ class JointFit {
 
   /// Moves the shapes and fits again until the likelihood rises no more.
   Explanation with_shapes(Explanation best) const {
-    // Facts of the search: what steps do later no test would notice.
-    constexpr int kShapeSteps = 3;
-    constexpr int kShapeStepsWithHidden = 12;  // a hidden path moves with the shapes
-    const bool hidden = !task_.options.hidden.empty();
-    for (int step = 0; step < (hidden ? kShapeStepsWithHidden : kShapeSteps); ++step) {
+    // Facts of the search: a hidden path moves with the shapes, and so does one whose noise is
+    // far below what the shapes do, as that of an encoder is.
+    constexpr int kShapeSteps = 12;
+    for (int step = 0; step < kShapeSteps; ++step) {
       std::vector<FittedEffect> moved = best.effects;
       if (!move_shapes(best, moved)) break;
-      Explanation next = at(best.fit, moved, 3);
-      if (hidden) next = in_reach(best, std::move(moved), std::move(next));
+      Explanation next = in_reach(best, moved, at(best.fit, moved, 3));
       const double drop = best.fit.deviance - next.fit.deviance;
       if (!(drop > 0.0)) break;
       best = std::move(next);
@@ -203,8 +201,7 @@ class JointFit {
   }
 
  private:
-  /// The step, or a part of it that raises the likelihood: where states are hidden the problem
-  /// is far from linear.
+  /// The step, or a part of it that raises the likelihood: the problem may be far from linear.
   Explanation in_reach(const Explanation& best, std::vector<FittedEffect> moved,
                        Explanation next) const {
     // A fact of the search: to a sixteenth of the step.

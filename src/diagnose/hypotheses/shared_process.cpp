@@ -31,12 +31,14 @@ bool has_term(const OdeModel& model, Index equation, const std::string& name) {
                      [&](const WeightedTerm& summand) { return summand.term.name() == name; });
 }
 
-/// Equations that are fitted and have a term of the states in common.
+/// Equations that are fitted, hold not by definition, and have a term of the states in common.
 std::vector<std::pair<Index, Index>> sharing(const OdeModel& model, const NoiseModel& noise) {
   std::vector<std::pair<Index, Index>> result;
   for (Index k = 0; k < model.dimension(); ++k)
     for (Index l = k + 1; l < model.dimension(); ++l) {
-      if (noise.disturbance[k] == 0.0 || noise.disturbance[l] == 0.0) continue;
+      if (noise.disturbance[k] == 0.0 || noise.disturbance[l] == 0.0 ||
+          identity_of(model, k) || identity_of(model, l))
+        continue;
       const Equation& terms = model.equations()[static_cast<std::size_t>(k)];
       if (std::any_of(terms.begin(), terms.end(), [&](const WeightedTerm& summand) {
             const auto names = summand.term.expression().variables();

@@ -248,6 +248,7 @@ Proposals UnmeasuredInput::do_propose(const Problem& problem,
   const auto structure = test_disturbances(base.fitted, problem.context);
   const Search search{problem, base, structure.empty() ? 0 : structure.front().equation,
                       with_estimated_noise(base.fitted).value_or(base.fitted)};
+  if (base.scope.is_identity(search.equation)) return {};  // by definition nothing acts there
   const std::string name(info().name), says = "an input that was not measured";
   std::optional<FoundInput> input = find_input(search);
   if (!input || !is_evident(*input, search)) return {};

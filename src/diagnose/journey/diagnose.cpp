@@ -2,6 +2,7 @@
 // The journey: records -> baseline -> composite models -> the best of them -> gap -> answer.
 #include "lacuna/diagnose/journey/diagnose.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <iterator>
@@ -140,6 +141,24 @@ Gaps gaps_in_time(const Problem& problem, const CompositeModel& composite,
   return gaps;
 }
 
+/// The faults of the measurement alone, where effects of the dynamics beside them make a minor
+/// difference to the records that were not used, or explain these to their noise. The form of a
+/// fault is an approximation (a sensor that shows means of its last samples is no pure delay):
+/// what it leaves is no structure of the device, however significant.
+std::optional<CompositeModel> faults_that_suffice(const Problem& problem,
+                                                  const EvaluatedComposite& evaluated,
+                                                  const BoundRecords& check) {
+  if (!evaluated.gap) return std::nullopt;
+  std::optional<CompositeModel> alone = faults_alone(problem, evaluated.judged.best);
+  if (!alone) return std::nullopt;
+  const std::optional<Gap> gap = gap_of(problem, problem.nominal, *alone, check);
+  if (!gap) return std::nullopt;
+  const DecisionOptions& decision = problem.options.decision;
+  const double most = std::max((1.0 + decision.minor) * evaluated.gap->after,
+                               decision.explained_gap * gap->noise_floor);
+  return gap->after <= most ? std::move(alone) : std::nullopt;
+}
+
 /// What is named before all was judged that may stand in its place is no whole explanation.
 void doubt_omissions(EvaluatedComposite& evaluated) {
   const CompositeModel& best = evaluated.judged.best;
@@ -164,12 +183,18 @@ EvaluatedComposite evaluated_on(const Records& records, const Problem& problem,
       if (HoldoutEvaluation names = evaluate_names(problem, best, *gaps.fitted); names.withdraw)
         evaluated.evaluation = std::move(names);
     if (evaluated.gap && !std::isfinite(evaluated.gap->after)) evaluated.gap.reset();
-    if (!evaluated.evaluation.withdraw) {
+    if (evaluated.evaluation.withdraw) {
+      evaluated.withdrawn.push_back(evaluated.evaluation.note);
+      evaluated.judged.best = without_claims(problem, evaluated.judged.best);
+    } else if (auto alone = faults_that_suffice(problem, evaluated, records.check)) {
+      evaluated.withdrawn.push_back(
+          "effects of the dynamics beside the fault of a sensor make a minor difference to the "
+          "records that were not used: they get no name");
+      evaluated.judged.best = *std::move(alone);
+    } else {
       doubt_omissions(evaluated);
       return evaluated;
     }
-    evaluated.withdrawn.push_back(evaluated.evaluation.note);
-    evaluated.judged.best = without_claims(problem, evaluated.judged.best);
     evaluated.judged = settle_composite(problem, hypotheses, std::move(evaluated.judged));
   }
 }

@@ -112,7 +112,7 @@ std::optional<Rival> unfounded(const Problem& problem, const CompositeModel& com
     rival.threshold = kNormalQuantile975;
     return rival;
   }
-  if (const auto time = time_on_bound(effect)) {
+  if (const auto time = time_on_bound(effect, problem.nominal.time_unit())) {
     rival.quantity = "time of the effect, at the end of its range";
     rival.value = *time;
     rival.threshold = *time;
@@ -237,6 +237,27 @@ CompositeModel without_names(const Problem& problem, const CompositeModel& compo
   bare.notes = composite.notes;
   bare.findings = composite.findings;
   return bare;
+}
+
+std::optional<CompositeModel> faults_alone(const Problem& problem,
+                                           const CompositeModel& composite) {
+  const std::vector<FittedEffect>& effects = composite.explanation.effects;
+  std::vector<FittedEffect> faults;
+  CompositeModel alone = composite;
+  alone.named.clear();
+  for (std::size_t e = 0; e < composite.named.size(); ++e) {
+    if (effects[e].candidate.place != Place::Channel) continue;
+    faults.push_back(effects[e]);
+    alone.named.push_back(composite.named[e]);
+  }
+  if (faults.empty() || faults.size() == effects.size()) return std::nullopt;
+  alone.explanation = with_joint_errors(
+      problem, *composite.base,
+      explain_on(problem, *composite.base, composite.explanation.fit, faults));
+  alone.refitted.reset();
+  alone.left = structure_left(problem, alone.explanation.fit);
+  update_numbers(alone.explanation, alone.named);
+  return alone;
 }
 
 CompositeModel without_claims(const Problem& problem, const CompositeModel& composite) {

@@ -2,6 +2,7 @@
 // The part of a diagnosis that chooses between composite models of the records.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "lacuna/core/base/stages_done.hpp"
@@ -63,6 +64,11 @@ Judged settle_composite(const Problem& problem,
 
 /// The composite model of the same baseline without any name.
 CompositeModel without_names(const Problem& problem, const CompositeModel& composite);
+
+/// The composite model with nothing but its faults of the measurement, fitted again; nothing where
+/// it has none, or nothing else.
+std::optional<CompositeModel> faults_alone(const Problem& problem,
+                                           const CompositeModel& composite);
 
 /// A composite model of which other records refuted what it names: without its effects, or
 /// where only assumptions have names the one of the plain baseline.

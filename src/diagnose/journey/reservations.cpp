@@ -30,8 +30,11 @@ bool decides_fading(const ShapeParameter& shape, const MemoryState& memory) {
   return names.size() == 1 && names.contains(shape.name);
 }
 
-bool is_time(const Candidate& candidate, const ShapeParameter& shape) {
+/// Whether a shape is how late something acts or is sampled, or how fast it fades.
+bool is_time(const Candidate& candidate, const ShapeParameter& shape,
+             const std::string& time_unit) {
   return contains(candidate.form, Operation::Delay) ||
+         (candidate.place == Place::Channel && shape.unit == time_unit) ||
          std::any_of(candidate.memory.begin(), candidate.memory.end(),
                      [&](const MemoryState& memory) { return decides_fading(shape, memory); });
 }
@@ -147,11 +150,12 @@ bool stays_open(const Gap& gap, const DecisionOptions& decision) {
          gap.after > decision.open_gap * gap.noise_floor;
 }
 
-std::optional<double> time_on_bound(const FittedEffect& effect) {
+std::optional<double> time_on_bound(const FittedEffect& effect, const std::string& time_unit) {
   const Candidate& candidate = effect.candidate;
   for (std::size_t s = 0; s < candidate.shapes.size(); ++s) {
     const double value = effect.shapes[static_cast<Index>(s)];
-    if (is_time(candidate, candidate.shapes[s]) && is_on_bound(candidate.shapes[s], value))
+    if (is_time(candidate, candidate.shapes[s], time_unit) &&
+        is_on_bound(candidate.shapes[s], value))
       return value;
   }
   return std::nullopt;

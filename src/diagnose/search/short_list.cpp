@@ -32,11 +32,20 @@ bool covers(const Candidate& adopted, const Candidate& candidate, const Scope& s
          nests(adopted, candidate, candidate.starts.front(), scope);
 }
 
+/// Whether something acts in an identity. That dx/dt = v is what v means: the records contradict
+/// it where sensors of the two differ, and nothing but an offset between them is of this form.
+bool acts_in_identity(const Candidate& candidate, const Scope& scope) {
+  return candidate.place == Place::Rate && scope.is_identity(candidate.equation) &&
+         !(candidate.memory.empty() && candidate.form.variables().empty());
+}
+
 /// Whether a candidate is for the search: not a free input, not in an equation that holds
-/// exactly, not covered by what is there.
+/// exactly or by definition, not covered by what is there.
 bool is_searched(const Candidate& candidate, const Explanation& current, const Scope& scope) {
   const bool exact = current.fit.noise.disturbance[candidate.equation] == 0.0;
-  if (candidate.is_driven() || (candidate.place == Place::Rate && exact)) return false;
+  if (candidate.is_driven() || (candidate.place == Place::Rate && exact) ||
+      acts_in_identity(candidate, scope))
+    return false;
   return std::none_of(
       current.effects.begin(), current.effects.end(),
       [&](const FittedEffect& adopted) { return covers(adopted.candidate, candidate, scope); });

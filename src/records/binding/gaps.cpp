@@ -3,13 +3,17 @@
 
 #include <algorithm>
 #include <iterator>
+#include <map>
+#include <set>
 #include <span>
 
+#include "core/base/text.hpp"
 #include "data/records/check_record.hpp"
 #include "data/records/piece_name.hpp"
 #include "lacuna/data/records/marks.hpp"
 #include "lacuna/data/records/noise.hpp"
 #include "records/channels/outliers.hpp"
+#include "seams.hpp"
 
 namespace lacuna {
 namespace {
@@ -128,6 +132,47 @@ Dataset join_across_gaps(const Dataset& data, const GapOptions& options) {
   return result;
 }
 
+namespace {
+
+/// What cutting records at their seams came to.
+struct Cuts {
+  std::vector<std::string> times;  ///< at which others begin
+  std::size_t in_gaps = 0;         ///< of them those behind missing samples
+};
+
+/// Numbers the records of files that were cut anew.
+void number_pieces(const std::set<std::string>& files, std::vector<Trajectory>& records) {
+  std::map<std::string, std::size_t> counts;
+  for (Trajectory& record : records)
+    if (const std::string file = file_of(record); files.contains(file))
+      record.source = piece_name(file, ++counts[file]);
+}
+
+Cuts cut_at_seams(Dataset& data) {
+  Cuts cuts;
+  std::vector<Trajectory> records;
+  std::set<std::string> files;
+  for (const Trajectory& record : data.trajectories) {
+    Index begin = 0;
+    std::vector<Index> ends = seams(data, record);
+    ends.push_back(record.samples());
+    if (ends.size() > 1) files.insert(file_of(record));
+    for (const Index end : ends) {
+      records.push_back(rows_of(record, begin, end - begin));
+      if (begin > 0) {
+        cuts.times.push_back(format_number(record.time[begin], 6));
+        cuts.in_gaps += record.time[begin] - record.time[begin - 1] > 1.5 * median_step(data);
+      }
+      begin = end;
+    }
+  }
+  number_pieces(files, records);
+  data.trajectories = std::move(records);
+  return cuts;
+}
+
+}  // namespace
+
 UsableRecords usable_records(const Dataset& data, const GapOptions& options) {
   check_dataset(data);
   const Dataset known = without_blank_stretches(data, options.longest_gap);
@@ -136,7 +181,9 @@ UsableRecords usable_records(const Dataset& data, const GapOptions& options) {
                     "give records with values");
   UsableRecords result{join_across_gaps(known, options), {}};
   std::vector<Trajectory>& records = result.data.trajectories;
-  const std::size_t gaps = known.trajectories.size() - records.size();
+  const std::size_t joints = known.trajectories.size() - records.size();
+  const Cuts cuts = cut_at_seams(result.data);
+  const std::size_t gaps = joints - std::min(joints, cuts.in_gaps);
   const std::size_t left_out = std::erase_if(records, [&](const Trajectory& record) {
     return record.samples() < options.shortest_record;
   });
@@ -145,6 +192,9 @@ UsableRecords usable_records(const Dataset& data, const GapOptions& options) {
     throw DataError(data.trajectories.front().source,
                     "no record has " + shortest + " samples or more in a row",
                     "give longer records");
+  if (!cuts.times.empty())
+    result.notes.push_back("all channels jump at once at t = " + join(cuts.times, ", ") +
+                           ": another record begins there");
   if (gaps > 0)
     result.notes.push_back(std::to_string(gaps) + " short gaps in the records are bridged");
   if (left_out > 0)

@@ -417,7 +417,8 @@ Fit fit(const SystemModel& system, const Dataset& records, const Dataset& held_o
   result.substeps = engine.implicit ? 0 : engine.signals.scheme.substeps;
   result.prediction = options.prediction;
   if (!held_out.trajectories.empty())
-    result.gap = gap_of(model, best.point, held_out, usual_states(best.path), options);
+    result.gap = gap_of(model, best.point, held_out, usual_states(best.path), options,
+                        unknowns.local);
   result.notes = notes_of(result);
   if (!held_out.trajectories.empty() && !result.gap) result.notes.push_back(no_gap(options));
   if (const std::string note = start_note(system, data); !note.empty())

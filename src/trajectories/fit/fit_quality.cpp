@@ -69,12 +69,14 @@ Dataset heads_of(Dataset data, Index samples) {
   return data;
 }
 
-/// Initial states of held-out records: those that meet the first samples best. What these do
-/// not determine is as it was in the records of the fit.
-Matrix starts_for(const ParametrisedModel& model, const Matrix& parameters, const Dataset& data,
-                  const Matrix& usual, Index window) {
+/// Initial states of held-out records, and parameters that each record has for itself: those that
+/// meet the first samples best. Initial states that these do not determine are as in the records
+/// of the fit.
+/// @param local places of parameters that each record has for itself.
+FitPoint begun(const ParametrisedModel& model, const Matrix& parameters, const Dataset& data,
+               const Matrix& usual, Index window, std::vector<Index> local) {
   FitEngine engine = fit_engine(model, fit_records(model, heads_of(data, window)));
-  FitUnknowns unknowns = fit_unknowns(model, {});
+  FitUnknowns unknowns = fit_unknowns(model, std::move(local));
   unknowns.global.clear();
   FitPoint point{parameters, engine.records.starts};
   for (Index k = 0; k < engine.states(); ++k) {
@@ -86,7 +88,7 @@ Matrix starts_for(const ParametrisedModel& model, const Matrix& parameters, cons
     }
   }
   choose_method(engine, point);
-  return minimise(engine, unknowns, point, {}, 60, {}).point.starts;
+  return minimise(engine, unknowns, point, {}, 60, {}).point;
 }
 
 /// Free runs of held-out records with given numbers.
@@ -96,11 +98,12 @@ struct HeldOut {
 };
 
 HeldOut held_out_with(const ParametrisedModel& model, const Vector& values, const Dataset& data,
-                      const Matrix& usual, const FitOptions& options) {
+                      const Matrix& usual, const FitOptions& options,
+                      const std::vector<Index>& local) {
   FitEngine engine = fit_engine(model, fit_records(model, data));
   set_substeps(engine, 4);
   const Matrix parameters = values.transpose().replicate(engine.records.records(), 1);
-  const FitPoint point{parameters, starts_for(model, parameters, data, usual, options.window)};
+  const FitPoint point = begun(model, parameters, data, usual, options.window, local);
   choose_method(engine, point);
   const FitPath path = follow(engine, point, {});
   HeldOut found{quality_of(engine, point, path, options.prediction, options.window)};
@@ -180,13 +183,14 @@ std::vector<FitQuality> quality_of(FitEngine& engine, const FitPoint& point,
 
 std::optional<FitGap> gap_of(const ParametrisedModel& model, const FitPoint& fitted,
                              const Dataset& held_out, const Matrix& usual,
-                             const FitOptions& options) {
+                             const FitOptions& options, const std::vector<Index>& local) {
   HeldOut after = held_out_with(model, fitted.parameters.colwise().mean().transpose(), held_out,
-                                usual, options);
+                                usual, options, local);
   if (std::all_of(after.quality.begin(), after.quality.end(),
                   [](const FitQuality& quality) { return quality.samples == 0; }))
     return std::nullopt;
-  FitGap gap{.before = held_out_with(model, model.values(), held_out, usual, options).size,
+  FitGap gap{.before =
+                 held_out_with(model, model.values(), held_out, usual, options, local).size,
              .after = after.size,
              .noise_floor = after.noise,
              .records = {},

@@ -92,6 +92,30 @@ TEST(WorthFitting, AreThePossibleOnesAndAtLeastSoMany) {
       << "a family has one for an argument";
 }
 
+/// Positions that come late contradict dx/dt = v, which stays what v means.
+TEST_F(ShortLists, OfAnIdentityHaveAnOffsetOfItsSensorsOnly) {
+  Dataset late = support::hidden_record(support::dry_friction, 0.01);
+  for (Trajectory& record : late.trajectories) {
+    const Index kept = record.samples() - 5;
+    const Vector positions = record.states.col(0).head(kept);
+    record.states.col(0).tail(kept) = positions;
+  }
+  const BoundRecords records = observed(std::move(late));
+  const Problem problem{nominal_, records, options_, context_};
+  const Baseline base = plain_baseline(problem);
+  AssimilationOptions loose;
+  loose.disturbed = {true, true};
+  const Assimilation fit = assimilate(nominal_, records, loose, context_);
+  ASSERT_GT(fit.noise.disturbance[0], 0.0);
+  const ShortList list = short_list({problem, base, options_.effects}, {{}, fit});
+  ASSERT_FALSE(list.candidates.empty());
+  for (const Listed& one : list.candidates) {
+    const Candidate& candidate = one.screened.candidate;
+    if (candidate.equation != 0 || candidate.place != Place::Rate) continue;
+    EXPECT_EQ(candidate.form.to_string(), "1");
+  }
+}
+
 TEST_F(ShortLists, BesideAnEffectAreScreenedAgain) {
   const Explanation found = with("sign(v)");
   search_.along = &found;

@@ -80,6 +80,59 @@ TEST(UsableRecords, LeavesShortOnesOutAndSaysSo) {
             0u);
 }
 
+/// A record that goes on in time, and with another motion from sample `seam` on.
+Trajectory with_seam(Index seam, Index missing) {
+  Trajectory record = oscillation(400);
+  const Trajectory other = oscillation(400, 2.1);
+  record.states.bottomRows(400 - seam) = other.states.bottomRows(400 - seam);
+  record.inputs.bottomRows(400 - seam) = other.inputs.bottomRows(400 - seam);
+  if (missing == 0) return record;
+  const Index left = 400 - missing;
+  const auto without = [&](const Matrix& all) {
+    Matrix rows(left, all.cols());
+    rows << all.topRows(seam), all.bottomRows(left - seam);
+    return rows;
+  };
+  record.time = without(record.time);
+  record.states = without(record.states);
+  record.inputs = without(record.inputs);
+  return record;
+}
+
+TEST(UsableRecords, AreCutAtASeam) {
+  for (const Index missing : {0, 1, 5}) {
+    SCOPED_TRACE(missing);
+    const UsableRecords usable = usable_records(pieces({with_seam(150, missing)}));
+    ASSERT_EQ(usable.data.trajectories.size(), 2u);
+    EXPECT_EQ(usable.data.trajectories[0].samples(), 150);
+    EXPECT_EQ(usable.data.trajectories[1].samples(), 250 - missing);
+    EXPECT_THAT(usable.notes, ElementsAre(::testing::HasSubstr("all channels jump at once")));
+  }
+}
+
+/// Of what is no seam: an impact, after which the position goes on; a step of the input after
+/// which the only state is elsewhere a sample later; a run of outliers; steps that are coarse.
+TEST(UsableRecords, AreNotCutWhereOneChannelGoesOnOrAnInputJumpsOrAllComeBack) {
+  Dataset impact = pieces({oscillation(400)});
+  impact.trajectories[0].states.col(1).tail(200) *= -1.0;
+  EXPECT_EQ(usable_records(impact).data.trajectories.size(), 1u);
+
+  Dataset step = pieces({oscillation(400)});
+  step.states.resize(1);
+  step.trajectories[0].inputs.setZero();
+  step.trajectories[0].inputs.bottomRows(200).setOnes();
+  step.trajectories[0].states = step.trajectories[0].inputs;
+  EXPECT_EQ(usable_records(step).data.trajectories.size(), 1u);
+
+  Dataset run = pieces({oscillation(400)});
+  run.trajectories[0].states.middleRows(200, 3).array() += 3.0;
+  EXPECT_EQ(usable_records(run).data.trajectories.size(), 1u);
+
+  Dataset coarse = pieces({oscillation(400)});
+  coarse.trajectories[0].states = coarse.trajectories[0].states.array().round();
+  EXPECT_EQ(usable_records(coarse).data.trajectories.size(), 1u);
+}
+
 TEST(SplitInTime, KeepsTheLastQuarterBack) {
   const auto [find, check] = split_in_time(pieces({piece(0, 100, 1), piece(200, 250, 2)}));
   ASSERT_EQ(find.trajectories.size(), 2u);

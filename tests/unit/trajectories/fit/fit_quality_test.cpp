@@ -81,6 +81,22 @@ TEST(GapOf, ComparesTheNumbersAsGivenAndAsFitted) {
   EXPECT_FALSE(gap_of(wrong, walk.point, other, usual, {.window = all})) << "nothing is left";
 }
 
+/// dx/dt = -0.5 x + 0.7 u, where the gain of u is each record's own.
+TEST(GapOf, FitsWhatEachRecordHasForItselfOnItsFirstSamples) {
+  Walk walk;
+  const Dataset other = support::grey_box(
+      walk.system.model(), {.start = Vector::Constant(1, -1.0), .noise = 0.02, .seed = 9});
+  FitPoint elsewhere = walk.point;
+  elsewhere.parameters(0, 1) += 0.5;
+  const ParametrisedModel model = walk.system.parametrised();
+  const Matrix usual = (Matrix(1, 2) << 1.0, 0.5).finished();
+  const auto common = gap_of(model, elsewhere, other, usual, {});
+  const auto own = gap_of(model, elsewhere, other, usual, {}, {1});
+  ASSERT_TRUE(common && own);
+  EXPECT_GT(common->after, 0.1);
+  EXPECT_NEAR(own->after, 0.02, 0.006);
+}
+
 TEST(QualityOf, WhatWasNotComparedIsNoNumber) {
   Walk walk;
   const FitPath path = follow(*walk.engine, walk.point, {});
