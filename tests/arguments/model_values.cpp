@@ -10,6 +10,11 @@ All<RunContext> Choices<RunContext>::all() {
   return {{"default", {}}, {"no thread", none}, {"-5 threads", negative}};
 }
 
+All<FirstAnswer> Choices<FirstAnswer>::all() {
+  const auto reads = [](const IdentificationResult& result) { (void)result.model.equations(); };
+  return {{"none", nullptr}, {"a reader", reads}};
+}
+
 All<Expression> Choices<Expression>::all() {
   return {{"q*v", parse_expression("q*v")},
           {"1", parse_expression("1")},

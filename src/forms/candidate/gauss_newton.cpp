@@ -77,7 +77,8 @@ Progress take_step_down(FunctionRef<Vector(const Vector&)> residuals,
     next.residuals = residuals(next.point);
     if (!next.is_finite() || !(next.squares() < before)) continue;
     at = std::move(next);
-    return before - at.squares() <= settings.unnoticed * before ? Progress::Converged : Progress::Down;
+    const bool is_noticed = before - at.squares() > settings.unnoticed * before;
+    return is_noticed ? Progress::Down : Progress::Converged;
   }
   return Progress::None;
 }

@@ -19,7 +19,7 @@ void describe_search(FormOptions& o, OptionVisitor& v) {
       o.thinned);
   v.field({"takes", "",
            "A form is fitted in the place of terms if at one of its starting points it takes "
-           "this fraction of what is left beyond the limit without these terms.",
+           "this fraction of the residual beyond the limit without these terms.",
            0.0, 1.0},
           o.takes);
   v.field(

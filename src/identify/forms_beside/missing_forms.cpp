@@ -26,9 +26,10 @@ bool is_among(const Start& start, const std::vector<Start>& others) {
   });
 }
 
-/// The most that is left where a form takes a fraction of what is left beyond a limit without it.
-double most_left(double left, double limit, double fraction) {
-  return left - fraction * std::max(0.0, left - limit);
+/// The largest residual with a form that takes a fraction of the residual beyond a limit.
+/// @param without the form.
+double largest_residual(double without, double limit, double fraction) {
+  return without - fraction * std::max(0.0, without - limit);
 }
 
 /// Without a form that is there twice: two that were shaped apart may have become one.
@@ -157,11 +158,6 @@ double FormSearch::squares_of(double fraction, Index equation) const {
   return fraction * fraction * problem_->all_rows().target(equation).squaredNorm();
 }
 
-bool FormSearch::leaves_noise(const EquationForms& equation, Remainder remainder) const {
-  return remainder == Remainder::Noise ||
-         problem_->left(equation) <= fitting(problem_->residual_noise(equation.equation));
-}
-
 EquationForms FormSearch::extended(EquationForms equation,
                                    const std::vector<Candidate>& candidates,
                                    std::size_t most_forms, double least) const {
@@ -205,13 +201,12 @@ EquationForms FormSearch::with_fewer_terms(EquationForms equation,
   std::vector<Start> chosen_starts;  ///< with which terms of the library were chosen already
   for (std::size_t b = 0; b < bases.size(); ++b) {
     const EquationForms* const from = &bases[b].equation;
-    // What forms take of noise beside the whole library is chance.
-    if (from == &whole && leaves_noise(whole, remainder)) continue;
     set_residuals(rated.col(static_cast<Index>(b)), starts);
     // Beside the whole library little lacks: there any form may be the one.
     const double fraction = from == &whole ? 0.0 : problem_->options().takes;
     const std::vector<Start> best_starts =
-        best_of(starts, tried, most_left(problem_->left(bases[b]), limit.left, fraction));
+        best_of(starts, tried,
+                largest_residual(problem_->left(bases[b]), limit.left, fraction));
     std::vector<std::array<std::optional<Trial>, 2>> trials(best_starts.size());
     parallel_for(trials.size(), problem_->context().threads, [&](std::size_t i) {
       const MissingForm& form = best_starts[i].form;

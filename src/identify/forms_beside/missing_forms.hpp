@@ -138,9 +138,6 @@ class FormSearch {
   /// The sum of squares that is this fraction (rms) of the target.
   double squares_of(double fraction, Index equation) const;
 
-  /// Whether an equation leaves no more than noise.
-  bool leaves_noise(const EquationForms& equation, Remainder remainder) const;
-
   /// The equation with one more form of the candidates that needs the fewest parameters to stay
   /// within a limit; infinite where none does.
   Trial fewest_beside(const EquationForms& others, const std::vector<Candidate>& candidates,

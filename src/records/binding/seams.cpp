@@ -63,6 +63,20 @@ double largest_but(const Vector& values, const std::set<Index>& steps) {
   return largest;
 }
 
+/// The largest change of speed from a step to the next, but where one of them is among some steps.
+double largest_change_but(const Vector& speed, const std::set<Index>& steps) {
+  double largest = 0.0;
+  for (Index i = 0; i + 1 < speed.size(); ++i)
+    if (!steps.contains(i) && !steps.contains(i + 1))
+      largest = std::max(largest, std::abs(speed[i + 1] - speed[i]));
+  return largest;
+}
+
+/// A measured state step by step.
+struct Motion {
+  Vector speed, broken;
+};
+
 /// Whether an input changes in a step, in the one before it or in the one behind it.
 bool input_changes(const Trajectory& record, Index step) {
   const Index begin = std::max<Index>(step - 1, 0);
@@ -76,19 +90,22 @@ bool input_changes(const Trajectory& record, Index step) {
 }  // namespace
 
 std::vector<Index> seams(const Dataset& data, const Trajectory& record) {
-  std::vector<Vector> channels;
+  std::vector<Motion> channels;
   std::set<Index> steps;
   if (record.samples() < 3) return {};
   for (Index k = 0; k < data.state_count(); ++k) {
     if (!data.is_measured(k)) continue;
-    channels.push_back(breaks(speeds(record, record.states.col(k))));
-    const std::vector<Index> own = jumps(channels.back());
+    const Vector speed = speeds(record, record.states.col(k));
+    channels.push_back({speed, breaks(speed)});
+    const std::vector<Index> own = jumps(channels.back().broken);
     steps.insert(own.begin(), own.end());
   }
   const std::set<Index> jumping = steps;
-  for (const Vector& broken : channels) {
-    const double usual = largest_but(broken, jumping);
-    std::erase_if(steps, [&](Index step) { return !(broken[step] > usual); });
+  for (const auto& [speed, broken] : channels) {
+    // A device that stands still all at once changes its speed, and no more than it does elsewhere.
+    const double usual =
+        std::max(largest_but(broken, jumping), largest_change_but(speed, jumping));
+    std::erase_if(steps, [&, &broken = broken](Index step) { return !(broken[step] > usual); });
   }
   if (channels.size() == 1)
     std::erase_if(steps, [&](Index step) { return input_changes(record, step); });

@@ -89,7 +89,7 @@ void fit_windows(const SearchTask& task, WindowSearch& search, const Matrix& coe
 /// of them in the end, where terms may still come and go (take_all_windows()).
 Index samples_of_a_choice(const SearchTask& task) {
   // Facts of cost and of the statistic.
-  constexpr Index kValuesOfAChoice = 10000, kSamplesOfACandidate = 4, kSamplesAmongFew = 2000;
+  constexpr Index kValuesOfAChoice = 30000, kSamplesOfACandidate = 4, kSamplesAmongFew = 4000;
   const Index enough = std::max(kValuesOfAChoice / task.equations.dimension(),
                                 kSamplesOfACandidate * task.equations.library.size());
   return std::min(most_samples(task),
