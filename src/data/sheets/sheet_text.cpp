@@ -19,7 +19,7 @@ constexpr std::size_t kMostRows = 1048576, kMostColumns = 16384;
 constexpr std::size_t kMostCells = 20'000'000;
 
 /// Fields of all lines, empty ones too, of which each takes a byte and more of text: a stray cell
-/// in the last column makes 16 384 of every line.
+/// in the last column makes 16 384 of every line. A fact of memory.
 constexpr std::size_t kMostFields = 10 * kMostCells;
 
 std::string in_one_line(std::string text) {

@@ -127,6 +127,19 @@ std::optional<Rival> unfounded(const Problem& problem, const CompositeModel& com
   return rival;
 }
 
+/// A composite model with other effects, fitted again on the same baseline. Its names are those of
+/// the effects.
+CompositeModel refitted_with(const Problem& problem, CompositeModel composite,
+                             const std::vector<FittedEffect>& effects) {
+  composite.explanation = with_joint_errors(
+      problem, *composite.base,
+      explain_on(problem, *composite.base, composite.explanation.fit, effects));
+  composite.refitted.reset();
+  composite.left = structure_left(problem, composite.explanation.fit);
+  update_numbers(composite.explanation, composite.named);
+  return composite;
+}
+
 /// The composite model without the effects that cannot carry names, the others fitted again.
 CompositeModel with_founded_names(const Problem& problem, CompositeModel composite,
                                   std::vector<Rival>& trail) {
@@ -142,12 +155,7 @@ CompositeModel with_founded_names(const Problem& problem, CompositeModel composi
     rest.erase(rest.begin() + place);
     if (rest.empty()) return without_names(problem, composite);
     composite.named.erase(composite.named.begin() + place);
-    composite.explanation = with_joint_errors(
-        problem, *composite.base,
-        explain_on(problem, *composite.base, composite.explanation.fit, rest));
-    composite.refitted.reset();
-    composite.left = structure_left(problem, composite.explanation.fit);
-    update_numbers(composite.explanation, composite.named);
+    composite = refitted_with(problem, std::move(composite), rest);
     e = 0;
   }
   return composite;
@@ -251,13 +259,7 @@ std::optional<CompositeModel> faults_alone(const Problem& problem,
     alone.named.push_back(composite.named[e]);
   }
   if (faults.empty() || faults.size() == effects.size()) return std::nullopt;
-  alone.explanation = with_joint_errors(
-      problem, *composite.base,
-      explain_on(problem, *composite.base, composite.explanation.fit, faults));
-  alone.refitted.reset();
-  alone.left = structure_left(problem, alone.explanation.fit);
-  update_numbers(alone.explanation, alone.named);
-  return alone;
+  return refitted_with(problem, std::move(alone), faults);
 }
 
 CompositeModel without_claims(const Problem& problem, const CompositeModel& composite) {
