@@ -101,7 +101,7 @@ bool widen(const SearchTask& task, WindowSearch& search, const RunContext& conte
 }  // namespace
 
 bool Approach::goes_on(const Change& change) {
-  // A fact of the search: no path that did so came to rest later.
+  // A decision (docs/decisions/numbers.md).
   constexpr int kRoundsWithoutGain = 2;
   const bool gains = change.terms || change.path < least_;
   without_gain_ = gains ? 0 : without_gain_ + 1;
