@@ -68,7 +68,10 @@ Progress take_step_down(FunctionRef<Vector(const Vector&)> residuals,
   if (part.size() == 0) return Progress::None;
   const double before = at.squares();
   // |r|^2 - |r + J d|^2 = -r'J d for the step of least squares.
-  if (-gradient(free).dot(part) <= settings.unnoticed * before) return Progress::Converged;
+  const double gain = -gradient(free).dot(part);
+  if (gain <= settings.unnoticed * before) return Progress::Converged;
+  if (settings.wanted > 0.0 && is_far_above(before, settings.wanted) && gain < 0.5 * before)
+    return Progress::None;
   Vector step = Vector::Zero(at.point.size());
   step(free) = part * std::min(1.0, settings.reach / part.cwiseAbs().maxCoeff());
   constexpr int kHalvings = 6;  // a fact of the search: shorter steps go nowhere

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "base_columns.hpp"
 
+#include <Eigen/Cholesky>
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <vector>
 
 #include "core/numerics/qr.hpp"
 
@@ -14,20 +17,34 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 /// Of the square of a column, so much has to be new: less is rounding of a Gram matrix.
 constexpr double kNewFraction = 1e-11;
 
-/// What two coefficients are worth together.
-double worth(double h, double g, double hh, double hg, double gg) {
-  const double determinant = hh * gg - hg * hg;
-  if (!(determinant > 0.0)) return kInfinity;
-  return (h * h * gg - 2.0 * h * g * hg + g * g * hh) / determinant;
+/// What coefficients are worth together.
+/// @param inverse (A'A)^-1.
+double worth(const Vector& h, const Matrix& inverse, const std::vector<Index>& places) {
+  const Eigen::LLT<Matrix> factor(Matrix(inverse(places, places)));
+  if (factor.info() != Eigen::Success) return kInfinity;
+  const Vector part = h(places);
+  return part.dot(factor.solve(part));
 }
 
-/// What those two coefficients are worth together that are worth least.
-/// @param inverse (A'A)^-1.
-double least_worth(const Vector& h, const Matrix& inverse) {
-  double least = kInfinity;
-  for (Index i = 0; i < h.size(); ++i)
-    for (Index j = i + 1; j < h.size(); ++j)
-      least = std::min(least, worth(h[i], h[j], inverse(i, i), inverse(i, j), inverse(j, j)));
+/// What the coefficients are worth together that are worth least, chosen one by one.
+double least_worth(const Vector& h, const Matrix& inverse, Index count) {
+  std::vector<Index> gone;
+  double least = count > h.size() ? kInfinity : 0.0;
+  for (Index n = 0; n < count && std::isfinite(least); ++n) {
+    least = kInfinity;
+    Index next = 0;
+    for (Index i = 0; i < h.size(); ++i) {
+      if (std::find(gone.begin(), gone.end(), i) != gone.end()) continue;
+      std::vector<Index> more = gone;
+      more.push_back(i);
+      const double value = worth(h, inverse, more);
+      if (value < least) {
+        least = value;
+        next = i;
+      }
+    }
+    gone.push_back(next);
+  }
   return least;
 }
 
@@ -99,15 +116,17 @@ BaseColumns::Pair BaseColumns::with_pair(const Vector& first, const Vector& seco
   return {h[0] / lengths[0], h[1] / lengths[1], (rest_ - fresh * h).squaredNorm()};
 }
 
-double BaseColumns::left_without_two(const Vector& column) const {
+double BaseColumns::left_without(Index gone, const Vector& column) const {
   if (!std::isfinite(left_) || !column.allFinite()) return kInfinity;
   const Added more = added(column);
   if (more.size == 0.0) return kInfinity;
   const Vector h = h_ - more.h * more.along;
   const Matrix inverse = inverse_ + more.along * more.along.transpose() / more.size;
-  return more.rest.squaredNorm() + least_worth(h, inverse);
+  return more.rest.squaredNorm() + least_worth(h, inverse, gone);
 }
 
-double BaseColumns::left_without_two() const { return left_ + least_worth(h_, inverse_); }
+double BaseColumns::left_without(Index gone) const {
+  return left_ + least_worth(h_, inverse_, gone);
+}
 
 }  // namespace lacuna

@@ -30,12 +30,13 @@ class BaseColumns {
   /// The same with two columns more.
   Pair with_pair(const Vector& first, const Vector& second) const;
 
-  /// With one column more and the two others gone that are missed least:
-  /// h_D' ((A'A)^-1_DD)^-1 h_D is what two columns D are worth.
-  double left_without_two(const Vector& column) const;
+  /// With one column more and so many others gone that are missed least, chosen one by one:
+  /// h_D' ((A'A)^-1_DD)^-1 h_D is what columns D are worth. Infinite where there are not so many,
+  /// or nothing is new of the column.
+  double left_without(Index gone, const Vector& column) const;
 
-  /// The same with no column more; infinite where there are no two.
-  double left_without_two() const;
+  /// The same with no column more.
+  double left_without(Index gone) const;
 
  private:
   /// A column as it changes the solution.

@@ -42,6 +42,53 @@ std::optional<Vector> column_losses(const Matrix& columns, const Vector& target)
   return Vector(factor.solve(target).array().square() / variances.array());
 }
 
+/// An equation with its columns, as forms are rated beside it.
+class RatedBase {
+ public:
+  RatedBase(const Beside& beside, BaseColumns columns)
+      : beside_(beside), columns_(std::move(columns)) {
+    const EquationForms& equation = beside.equation;
+    sizes_.assign(equation.terms.size(), 1);
+    for (const MissingForm& form : equation.forms) sizes_.push_back(parameters_of(form));
+    std::sort(sizes_.rbegin(), sizes_.rend());
+    if (!(beside.takes > 0.0)) return;
+    for (std::size_t gone = 0; gone <= sizes_.size(); ++gone)
+      left_without_.push_back(columns_.left_without(static_cast<Index>(gone)));
+  }
+
+  /// What the equation leaves with a form; infinite where that is not worth a fit.
+  double rating(const MissingForm& form, const Vector& column) const {
+    constexpr double kNotWorthAFit = std::numeric_limits<double>::infinity();
+    if (parameters_of(form) + beside_.fewest_members > beside_.most_parameters)
+      return kNotWorthAFit;
+    if (left_without_.empty()) return columns_.left_with(column);
+    const std::size_t gone = members_to_go(form);
+    const double without = left_without_[gone];
+    const double left = columns_.left_without(static_cast<Index>(gone), column);
+    const double most = without - beside_.takes * std::max(0.0, without - beside_.limit);
+    return left <= most ? left : kNotWorthAFit;
+  }
+
+ private:
+  static std::size_t parameters_of(const MissingForm& form) {
+    return 1 + static_cast<std::size_t>(form.shapes.size());
+  }
+
+  /// The fewest without which an equation with the form has as few parameters as it should.
+  std::size_t members_to_go(const MissingForm& form) const {
+    std::size_t count = parameters_of(form);
+    for (const std::size_t size : sizes_) count += size;
+    std::size_t gone = 0;
+    while (gone < sizes_.size() && count > beside_.most_parameters) count -= sizes_[gone++];
+    return gone;
+  }
+
+  const Beside& beside_;
+  BaseColumns columns_;
+  std::vector<std::size_t> sizes_;     ///< parameters of the members, most first
+  std::vector<double> left_without_;  ///< so many members, without a form
+};
+
 template <class T>
 std::vector<T> without(std::vector<T> list, std::size_t place) {
   list.erase(list.begin() + static_cast<std::ptrdiff_t>(place));
@@ -64,7 +111,7 @@ void set_residuals(const Vector& left, std::vector<Start>& starts) {
   for (std::size_t i = 0; i < starts.size(); ++i) starts[i].left = left[static_cast<Index>(i)];
 }
 
-std::vector<Start> best_of(const std::vector<Start>& starts, std::size_t count, double most) {
+std::vector<Start> best_of(const std::vector<Start>& starts, std::size_t count) {
   std::vector<std::size_t> order(starts.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
@@ -73,7 +120,7 @@ std::vector<Start> best_of(const std::vector<Start>& starts, std::size_t count, 
   std::vector<Start> best;
   for (const std::size_t i : order) {
     const Start& start = starts[i];
-    if (best.size() == count || !(start.left <= most)) break;
+    if (best.size() == count || !std::isfinite(start.left)) break;
     if (std::none_of(best.begin(), best.end(),
                      [&](const Start& other) { return other.candidate == start.candidate; }))
       best.push_back(start);
@@ -135,12 +182,6 @@ double FormProblem::left(const EquationForms& equation) const {
   return residual_squares(columns(equation), rows_.target(equation.equation));
 }
 
-double FormProblem::left(const Beside& beside) const {
-  const EquationForms& equation = beside.equation;
-  const BaseColumns base(columns(equation), rows_.target(equation.equation));
-  return beside.without_two ? base.left_without_two() : base.left();
-}
-
 std::vector<Term> FormProblem::linear_terms() const {
   const Variables& variables = rows_.variables();
   std::vector<Term> terms{Term(Expression::number(1.0), variables)};
@@ -165,7 +206,7 @@ std::vector<Trial> FormProblem::with_each(const EquationForms& equation,
   }
   const auto fit = [&](std::size_t count, int evaluations) {
     parallel_for(std::min(count, trials.size()), context_.threads, [&](std::size_t i) {
-      trials[i].left = fit_shapes(base, trials[i].equation.forms.back(), evaluations);
+      trials[i].left = fit_shapes(base, trials[i].equation.forms.back(), {evaluations});
     });
   };
   fit(trials.size(), kEvaluationsRoughly);
@@ -179,14 +220,18 @@ std::vector<Trial> FormProblem::with_each(const EquationForms& equation,
 Trial FormProblem::thinned(EquationForms equation, const MissingForm& form,
                            const Limit& limit) const {
   equation.forms.push_back(form);
-  Trial now{equation, polish(equation, equation.forms.size() - 1, kEvaluationsExactly)};
+  const auto last = [](const EquationForms& some) { return some.forms.size() - 1; };
+  const auto fit = [&](EquationForms& some) {
+    return polish(some, last(some), {kEvaluationsExactly, limit(some)});
+  };
+  Trial now{equation, fit(equation)};
   now.equation = equation;
   if (now.left > limit(now.equation)) now.left = std::numeric_limits<double>::infinity();
   while (now.left <= limit(now.equation) &&
          now.equation.terms.size() + now.equation.forms.size() > 1) {
     Trial next = without_least(now.equation);
     if (next.left > limit(next.equation) && !next.equation.forms.empty())
-      next.left = polish(next.equation, next.equation.forms.size() - 1, kEvaluationsExactly);
+      next.left = fit(next.equation);
     if (!(next.left <= limit(next.equation))) break;
     now = std::move(next);
   }
@@ -260,15 +305,16 @@ double FormProblem::likeness(const MissingForm& a, const MissingForm& b) const {
   return std::abs(both.col(0).dot(both.col(1))) / (both.col(0).norm() * both.col(1).norm());
 }
 
-double FormProblem::polish(EquationForms& equation, std::size_t place, int evaluations) const {
+double FormProblem::polish(EquationForms& equation, std::size_t place,
+                           const ShapeFit& fit) const {
   EquationForms others = equation;
   others.forms.erase(others.forms.begin() + static_cast<std::ptrdiff_t>(place));
   const BaseColumns base(columns(others), rows_.target(equation.equation));
-  return fit_shapes(base, equation.forms[place], evaluations);
+  return fit_shapes(base, equation.forms[place], fit);
 }
 
 double FormProblem::fit_shapes(const BaseColumns& base, MissingForm& form,
-                               int evaluations) const {
+                               const ShapeFit& fit) const {
   const ShapeScale scale(form.candidate.shapes);
   const auto column = [&](const Vector& at) -> Vector {
     context_.check_stop();
@@ -277,11 +323,12 @@ double FormProblem::fit_shapes(const BaseColumns& base, MissingForm& form,
   };
   const Vector start = scale.unit(form.shapes);
   if (start.size() == 0) return base.left_with(column(start));
-  const CubeMinimum reached =
-      gauss_newton([&](const Vector& at) { return base.rest_with(column(at)); }, start);
+  const auto rest = [&](const Vector& at) { return base.rest_with(column(at)); };
+  const CubeMinimum reached = gauss_newton(rest, start, {.wanted = fit.wanted});
   // At an end of its range a shape is not found, and a form is one of the library's terms.
   const bool is_inside = reached.point.minCoeff() > 0.0 && reached.point.maxCoeff() < 1.0;
-  if (reached.converged && is_inside) {
+  const bool is_out_of_reach = fit.wanted > 0.0 && is_far_above(reached.squares, fit.wanted);
+  if (is_out_of_reach || (reached.converged && is_inside)) {
     form.shapes = scale.shapes(reached.point);
     return reached.squares;
   }
@@ -289,7 +336,7 @@ double FormProblem::fit_shapes(const BaseColumns& base, MissingForm& form,
   const auto left = [&](const Vector& at) {
     return std::log(std::max(base.left_with(column(at)), 1e-300));
   };
-  const int most = evaluations * static_cast<int>(start.size() * start.size());
+  const int most = fit.evaluations * static_cast<int>(start.size() * start.size());
   return std::exp(left(least_in_cube(left, start, {0.03, 1e-7, most})));
 }
 
@@ -297,9 +344,10 @@ Matrix FormProblem::rated(const std::vector<Beside>& equations,
                           const std::vector<Start>& starts) const {
   // A fact of the machines: columns in memory at a time.
   constexpr std::size_t kColumnsTogether = 32;
-  std::vector<BaseColumns> bases;
-  for (const auto& [equation, without_two] : equations)
-    bases.emplace_back(columns(equation), rows_.target(equation.equation));
+  std::vector<RatedBase> bases;
+  for (const Beside& beside : equations)
+    bases.emplace_back(beside,
+                       BaseColumns(columns(beside.equation), rows_.target(beside.equation.equation)));
   Matrix left(static_cast<Index>(starts.size()), static_cast<Index>(equations.size()));
   const std::size_t chunks = (starts.size() + kColumnsTogether - 1) / kColumnsTogether;
   parallel_for(chunks, context_.threads, [&](std::size_t chunk) {
@@ -309,11 +357,10 @@ Matrix FormProblem::rated(const std::vector<Beside>& equations,
     std::vector<Expression> forms;
     for (std::size_t i = first; i < end; ++i) forms.push_back(starts[i].form.expression());
     const Matrix added = rows_.columns(forms);
-    for (Index i = 0; i < added.cols(); ++i)
+    for (std::size_t i = first; i < end; ++i)
       for (std::size_t e = 0; e < bases.size(); ++e)
-        left(static_cast<Index>(first) + i, static_cast<Index>(e)) =
-            equations[e].without_two ? bases[e].left_without_two(added.col(i))
-                                     : bases[e].left_with(added.col(i));
+        left(static_cast<Index>(i), static_cast<Index>(e)) =
+            bases[e].rating(starts[i].form, added.col(static_cast<Index>(i - first)));
   });
   return left;
 }

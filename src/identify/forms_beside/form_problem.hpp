@@ -15,6 +15,13 @@ namespace lacuna {
 /// Evaluations for a shape when it is fitted to the last digits.
 inline constexpr int kEvaluationsExactly = 80;
 
+/// How far the shapes of a form are fitted.
+struct ShapeFit {
+  int evaluations = kEvaluationsExactly;
+  double wanted = 0.0;  ///< sum of squares of use: what stays far above it is fitted roughly; 0:
+                        ///< any is
+};
+
 /// A candidate at one of its starting points.
 struct Start {
   MissingForm form;
@@ -28,15 +35,18 @@ std::vector<Start> all_starts(const std::vector<Candidate>& candidates);
 /// Notes the residual with each.
 void set_residuals(const Vector& left, std::vector<Start>& starts);
 
-/// The first so many, those that leave least first, each candidate at its best starting point.
-/// @param most that one of them leaves.
-std::vector<Start> best_of(const std::vector<Start>& starts, std::size_t count,
-                           double most = std::numeric_limits<double>::infinity());
+/// The first so many of those that leave something finite, those that leave least first, each
+/// candidate at its best starting point.
+std::vector<Start> best_of(const std::vector<Start>& starts, std::size_t count);
 
 /// An equation to which a form is added.
 struct Beside {
   const EquationForms& equation;
-  bool without_two = false;  ///< two of its terms, those that are missed least, are gone
+  std::size_t most_parameters = std::numeric_limits<std::size_t>::max();  ///< with the form
+  std::size_t fewest_members = 0;  ///< that stay beside the form
+  /// A form has to take this fraction of what is beyond a limit where those members are gone
+  /// that are missed least, as many as most_parameters asks for.
+  double takes = 0.0, limit = 0.0;
 };
 
 /// An equation and what it leaves.
@@ -89,7 +99,6 @@ class FormProblem {
   Matrix columns(const EquationForms& equation) const;
 
   double left(const EquationForms& equation) const;
-  double left(const Beside& beside) const;  ///< before a form is added
 
   /// The constant and the variables.
   std::vector<Term> linear_terms() const;
@@ -119,10 +128,11 @@ class FormProblem {
   double likeness(const MissingForm& a, const MissingForm& b) const;
 
   /// Fits the shapes of one form. @return the residual.
-  double polish(EquationForms& equation, std::size_t place, int evaluations) const;
+  double polish(EquationForms& equation, std::size_t place, const ShapeFit& fit = {}) const;
 
-  /// The residual with each of the starting points more: starts x equations. Columns of the
-  /// starting points are made once for all equations.
+  /// The residual with each of the starting points more: starts x equations; infinite where an
+  /// equation asks for less than the form leaves or takes. Columns of the starting points are
+  /// made once for all equations.
   Matrix rated(const std::vector<Beside>& equations, const std::vector<Start>& starts) const;
 
  private:
@@ -130,7 +140,7 @@ class FormProblem {
   Trial without_least(const EquationForms& equation) const;
 
   /// Fits the shapes of a form beside columns that stay. @return the residual.
-  double fit_shapes(const BaseColumns& base, MissingForm& form, int evaluations) const;
+  double fit_shapes(const BaseColumns& base, MissingForm& form, const ShapeFit& fit) const;
 
   FormRows rows_;
   Vector noise_;

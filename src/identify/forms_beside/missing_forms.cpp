@@ -26,12 +26,6 @@ bool is_among(const Start& start, const std::vector<Start>& others) {
   });
 }
 
-/// The largest residual with a form that takes a fraction of the residual beyond a limit.
-/// @param without the form.
-double largest_residual(double without, double limit, double fraction) {
-  return without - fraction * std::max(0.0, without - limit);
-}
-
 /// Without a form that is there twice: two that were shaped apart may have become one.
 std::vector<MissingForm> distinct(const std::vector<MissingForm>& forms) {
   std::vector<MissingForm> result;
@@ -196,22 +190,21 @@ EquationForms FormSearch::with_fewer_terms(EquationForms equation,
     if (std::isfinite(now.left) && is_fewer && Limit::prefers(now, best)) best = now;
   };
   std::vector<Start> starts = all_starts(candidates);
-  const std::vector<Beside> bases{{equation, true}, {linear}, {whole}};
+  const std::size_t most = equation.parameters() - 1;
+  const double takes = problem_->options().takes;
+  // Beside the whole library little lacks: there any form may be the one. What stands alone is
+  // tried in the place of the equation's terms.
+  const std::vector<Beside> bases{
+      {equation, most, 0, takes, limit.left}, {linear, most, 1, takes, limit.left}, {whole, most, 1}};
   const Matrix rated = problem_->rated(bases, starts);
   std::vector<Start> chosen_starts;  ///< with which terms of the library were chosen already
   for (std::size_t b = 0; b < bases.size(); ++b) {
     const EquationForms* const from = &bases[b].equation;
     set_residuals(rated.col(static_cast<Index>(b)), starts);
-    // Beside the whole library little lacks: there any form may be the one.
-    const double fraction = from == &whole ? 0.0 : problem_->options().takes;
-    const std::vector<Start> best_starts =
-        best_of(starts, tried,
-                largest_residual(problem_->left(bases[b]), limit.left, fraction));
+    const std::vector<Start> best_starts = best_of(starts, tried);
     std::vector<std::array<std::optional<Trial>, 2>> trials(best_starts.size());
     parallel_for(trials.size(), problem_->context().threads, [&](std::size_t i) {
       const MissingForm& form = best_starts[i].form;
-      // The form stays in every trial: alone it may have too many parameters already.
-      if (1 + static_cast<std::size_t>(form.shapes.size()) >= equation.parameters()) return;
       if (from != &whole) trials[i][0] = problem_->thinned(*from, form, limit);
       const bool is_chosen = from == &whole && is_among(best_starts[i], chosen_starts);
       if (from != &linear && !is_chosen)
@@ -313,7 +306,7 @@ EquationForms FormSearch::refitted(EquationForms equation) const {
   const bool alone = equation.forms.size() == 1;
   for (int round = 0; round < (alone ? 1 : kRounds); ++round)
     for (std::size_t place = 0; place < equation.forms.size(); ++place)
-      problem_->polish(equation, place, kEvaluationsExactly);
+      problem_->polish(equation, place);
   return equation;
 }
 

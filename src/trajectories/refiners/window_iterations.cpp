@@ -103,7 +103,7 @@ bool widen(const SearchTask& task, WindowSearch& search, const RunContext& conte
 bool Approach::goes_on(const Change& change) {
   // A decision (docs/decisions/numbers.md).
   constexpr int kRoundsWithoutGain = 2;
-  const bool gains = change.terms || change.path < least_;
+  const bool gains = change.terms || change.path <= 0.5 * least_;
   without_gain_ = gains ? 0 : without_gain_ + 1;
   least_ = change.terms ? change.path : std::min(least_, change.path);
   return without_gain_ < kRoundsWithoutGain;
@@ -171,14 +171,13 @@ double settle(WindowSearch& search, const NewtonLimits& limits, const RunContext
   return last;
 }
 
-void converge(const SearchTask& task, WindowSearch& search, const RunContext& context) {
-  // A fact of the search: bounds the work where subsets take turns.
-  constexpr int kRounds = 12;
+void converge(const SearchTask& task, WindowSearch& search, const RunContext& context,
+              int rounds) {
   search.fit.settled = false;
   settle(search, {}, context);
   Approach approach;
-  for (int i = 0; i < kRounds && !search.fit.settled; ++i) {
-    context.report("searching the structure", static_cast<double>(i) / kRounds);
+  for (int i = 0; i < rounds && !search.fit.settled; ++i) {
+    context.report("searching the structure", static_cast<double>(i) / rounds);
     const Change change = choose(task, search, context);
     search.fit.settled = change.is_none();
     if (!approach.goes_on(change)) break;

@@ -30,7 +30,7 @@ struct Change {
 /// than the step mends, its moves go up and down without end.
 class Approach {
  public:
-  /// @return false where the terms stay and no move was the least so far for two rounds.
+  /// @return false where the terms stay and no move was half the least before for two rounds.
   bool goes_on(const Change& change);
 
  private:
@@ -53,8 +53,13 @@ Vector solve_subset(const SubsetProblem& problem, WindowSearch& search);
 /// Newton's iteration for the structure as it is: few columns, cheap. @return the last move.
 double settle(WindowSearch& search, const NewtonLimits& limits, const RunContext& context);
 
+/// Rounds of converge(): a fact of the search, bounds the work where subsets take turns.
+inline constexpr int kRoundsOfChoices = 12;
+
 /// Chooses among all candidates and settles, in turn, until nothing changes.
-void converge(const SearchTask& task, WindowSearch& search, const RunContext& context);
+/// @param rounds at most.
+void converge(const SearchTask& task, WindowSearch& search, const RunContext& context,
+              int rounds = kRoundsOfChoices);
 
 /// Takes down how well the path fits.
 void summarise(WindowSearch& search);

@@ -61,9 +61,15 @@ Index samples_in_windows(const SearchTask& task, const WindowSearch& search, Ind
                                   std::max(search.most, kFewestWindows * samples));
 }
 
+/// Whether two models have the same terms.
+bool have_same_terms(const Matrix& coefficients, const Matrix& others) {
+  return ((coefficients.array() != 0.0) == (others.array() != 0.0)).all();
+}
+
 /// Fits windows of so many samples.
+/// @param rounds of choices at most.
 void fit_windows(const SearchTask& task, WindowSearch& search, const Matrix& coefficients,
-                 Index samples, const RunContext& context) {
+                 Index samples, const RunContext& context, int rounds = kRoundsOfChoices) {
   // A fact of the search: bounds the work where noise and steps take turns.
   constexpr int kPasses = 5;
   search.path.windows = windows_of(search.path.records, samples,
@@ -76,11 +82,13 @@ void fit_windows(const SearchTask& task, WindowSearch& search, const Matrix& coe
   add_constrained(task, search.fit.columns);
   drop_others(search.fit);
   for (int pass = 0; pass < kPasses; ++pass) {
-    converge(task, search, context);
+    converge(task, search, context, rounds);
+    if (rounds < kRoundsOfChoices && !search.fit.settled) break;
     const bool quieter = learn_noise(task, search);
     const bool finer = refine_steps(task, search, context);
     if (!quieter && !finer) break;
   }
+  search.fit.kept_terms = have_same_terms(search.fit.coefficients, coefficients);
   mask_beyond(search.path, kOutlyingDeviations * std::sqrt(std::max(1.0, search.fit.misfit)));
 }
 
@@ -106,6 +114,28 @@ bool acceptable(const WindowFit& before, const WindowFit& after) {
   const double scatter =
       4.0 * std::sqrt(2.0 / static_cast<double>(std::max<Index>(1, after.rows)));
   return after.misfit <= before.misfit * (1.0 + scatter) + scatter;
+}
+
+/// Whether there are windows of so many samples, and enough of them to stand for the records.
+bool has_windows(const SearchTask& task, const WindowSearch& search, Index samples) {
+  // A fact of the statistic.
+  constexpr Index kFewestWindows = 16;
+  return samples <= longest_record(task.data).samples() &&
+         (!is_wide(task) || samples * kFewestWindows <= search.most);
+}
+
+/// Windows four times as long, where the terms have stayed in the last ones: most often they
+/// stay again, and one choice shows it. @return whether they do and fit no worse.
+bool leap(const SearchTask& task, WindowSearch& search, const RunContext& context) {
+  const Index samples = 4 * search.fit.samples;
+  if (!search.leaps || !search.fit.kept_terms || !has_windows(task, search, samples))
+    return false;
+  WindowSearch longer = search;
+  fit_windows(task, longer, search.fit.coefficients, samples, context, 1);
+  search.leaps =
+      longer.fit.settled && longer.fit.kept_terms && acceptable(search.fit, longer.fit);
+  if (search.leaps) search = std::move(longer);
+  return search.leaps;
 }
 
 /// The terms left when the least valuable ones go as long as chi squared stays below a limit;
@@ -202,10 +232,8 @@ WindowSearch begun(const SearchTask& task, WindowSearch prepared, const Matrix& 
 
 bool grow(const SearchTask& task, WindowSearch& search, const RunContext& context) {
   const Index samples = 2 * search.fit.samples;
-  if (search.limited || samples > longest_record(task.data).samples()) return false;
-  // Fewer windows do not stand for a record.
-  constexpr Index kFewestWindows = 16;
-  if (is_wide(task) && samples * kFewestWindows > search.most) return false;
+  if (search.limited || !has_windows(task, search, samples)) return false;
+  if (leap(task, search, context)) return true;
   WindowSearch longer = search;
   fit_windows(task, longer, search.fit.coefficients, samples, context);
   search.limited = !acceptable(search.fit, longer.fit);

@@ -56,6 +56,7 @@ struct WindowFit {
   Vector rms;            ///< of the residuals of each state
   Vector counts;         ///< residuals of each state
   Index samples = 0;     ///< of a window
+  bool kept_terms = false;  ///< those that the fit began with
 };
 
 /// The search for structure and coefficients in windows of growing length, as far as it has
@@ -70,6 +71,7 @@ struct WindowSearch {
   Index shortest = 0;               ///< samples of the first windows
   WindowFit fit = {};
   bool limited = false;  ///< longer windows were tried and the model fits them worse
+  bool leaps = true;     ///< windows four times as long have done wherever they were tried
   std::vector<CoefficientConstraint> constraints = {};  ///< those of the task
 };
 
@@ -81,8 +83,8 @@ WindowSearch prepared_search(const SearchTask& task, const RunContext& context =
 WindowSearch begun(const SearchTask& task, WindowSearch prepared, const Matrix& coefficients,
                    const RunContext& context);
 
-/// Tries windows of twice the length. @return false when they are too long, or fit worse: the
-/// fit is then as it was.
+/// Tries windows of four times the length where the terms have stayed so far, else of twice the
+/// length. @return false when they are too long, or fit worse: the fit is then as it was.
 bool grow(const SearchTask& task, WindowSearch& search, const RunContext& context);
 
 /// Fits in as many windows as there are what was chosen in as many as the candidates ask for:

@@ -77,6 +77,26 @@ TEST(GaussNewton, SaysWhereItDoesNotConverge) {
   EXPECT_EQ(none.point[0], 0.5);
 }
 
+TEST(GaussNewton, EndsWhereWhatIsWantedIsFarAndStepsGainLittle) {
+  int evaluations = 0;
+  // |r|^2 is least at p = 1/2, where 4 is left; each step there gains less than half.
+  const auto left = [&](const Vector& p) {
+    ++evaluations;
+    return Vector{{p[0] - 0.5, 2.0}};
+  };
+  const Vector start = Vector::Constant(1, 0.1);
+  const CubeMinimum far = gauss_newton(left, start, {.wanted = 0.9});
+  EXPECT_FALSE(far.converged);
+  EXPECT_EQ(far.point[0], 0.1);
+  EXPECT_EQ(evaluations, 2);
+  const CubeMinimum near = gauss_newton(left, start, {.wanted = 1.1});
+  EXPECT_TRUE(near.converged);
+  EXPECT_NEAR(near.point[0], 0.5, 1e-6);
+  // A step that halves what is there is taken, however far that is.
+  const auto steep = [](const Vector& p) { return Vector{{9.0 * (p[0] - 0.5), 2.0}}; };
+  EXPECT_NEAR(gauss_newton(steep, start, {.reach = 1.0, .wanted = 0.1}).point[0], 0.5, 1e-6);
+}
+
 TEST(GaussNewton, IsNeverWorseThanItsStart) {
   const auto ragged = [](const Vector& p) {
     return Vector{{std::sin(40.0 * p[0]), p[0] - 0.5}};

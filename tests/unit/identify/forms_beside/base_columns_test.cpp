@@ -20,9 +20,10 @@ Matrix noise(Index rows, Index columns, std::uint64_t seed) {
   return values;
 }
 
-Matrix joined(const Matrix& columns, const Vector& column) {
-  Matrix all(columns.rows(), columns.cols() + 1);
-  all << columns, column;
+Matrix joined(const Matrix& columns, const Matrix& more) {
+  Matrix all(columns.rows(), columns.cols() + more.cols());
+  all.leftCols(columns.cols()) = columns;
+  all.rightCols(more.cols()) = more;
   return all;
 }
 
@@ -63,22 +64,37 @@ TEST(BaseColumns, APairLeavesWhatLeastSquaresLeavesAndHasItsCoefficients) {
   EXPECT_NEAR(base.with_pair(columns.col(1), columns.col(2)).left, base.left(), 1e-11);
 }
 
-TEST(BaseColumns, WithoutTwoIsTheBestOfAllPairs) {
-  const Matrix columns = noise(40, 5, 4);
+/// Without the column that is missed least beside another.
+Matrix without_least(const Matrix& columns, const Matrix& more, const Vector& target) {
+  double least = std::numeric_limits<double>::infinity();
+  Matrix best;
+  for (Index i = 0; i < columns.cols(); ++i) {
+    std::vector<Index> kept;
+    for (Index c = 0; c < columns.cols(); ++c)
+      if (c != i) kept.push_back(c);
+    const Matrix few = columns(Eigen::all, kept);
+    const double left = residual_squares(joined(few, more), target);
+    if (left < least) best = few;
+    least = std::min(least, left);
+  }
+  return best;
+}
+
+TEST(BaseColumns, WithoutSomeTheyGoOneByOneAsTheyAreMissed) {
+  const Matrix columns = noise(40, 5, 4), none(40, 0);
   const Vector target = noise(40, 1, 5), more = noise(40, 1, 6);
-  double least = std::numeric_limits<double>::infinity(), bare = least;
-  for (Index i = 0; i < 5; ++i)
-    for (Index j = 0; j < i; ++j) {
-      std::vector<Index> kept;
-      for (Index c = 0; c < 5; ++c)
-        if (c != i && c != j) kept.push_back(c);
-      const Matrix few = columns(Eigen::all, kept);
-      least = std::min(least, residual_squares(joined(few, more), target));
-      bare = std::min(bare, residual_squares(few, target));
-    }
-  EXPECT_NEAR(BaseColumns(columns, target).left_without_two(more), least, 1e-10);
-  EXPECT_NEAR(BaseColumns(columns, target).left_without_two(), bare, 1e-10);
-  EXPECT_TRUE(std::isinf(BaseColumns(more, target).left_without_two()));
+  const BaseColumns base(columns, target);
+  Matrix beside = columns, alone = columns;
+  for (Index gone = 0; gone <= 5; ++gone) {
+    EXPECT_NEAR(base.left_without(gone, more), residual_squares(joined(beside, more), target),
+                1e-10);
+    EXPECT_NEAR(base.left_without(gone), residual_squares(alone, target), 1e-10);
+    if (gone == 5) break;
+    beside = without_least(beside, more, target);
+    alone = without_least(alone, none, target);
+  }
+  EXPECT_TRUE(std::isinf(base.left_without(6)));
+  EXPECT_TRUE(std::isinf(base.left_without(1, columns.col(2)))) << "nothing new";
 }
 
 TEST(BaseColumns, DependentColumnsCountOnceAndWhatIsNotFiniteIsNoColumn) {

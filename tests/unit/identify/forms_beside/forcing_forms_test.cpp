@@ -41,7 +41,7 @@ double least_left(const Dataset& data, bool modulated) {
   for (const Candidate& candidate : tones_of(data)) {
     if (candidate.form.variables().contains("x") != modulated) continue;
     EquationForms equation{0, {}, {{candidate, candidate.starts[0]}}};
-    const double left = problem.polish(equation, 0, kEvaluationsExactly);
+    const double left = problem.polish(equation, 0);
     least = std::min(least, left / problem.all_rows().target(0).squaredNorm());
   }
   return least;

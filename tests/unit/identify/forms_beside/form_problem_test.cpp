@@ -84,28 +84,41 @@ TEST(FormProblem, RatesStartsBesideEachEquation) {
   }
 }
 
-TEST(FormProblem, LeftBeforeAFormIsThatOfTheTermsThatStay) {
+TEST(FormProblem, RatesFormsByWhatTheyTakeInThePlaceOfMembers) {
   const FormProblem problem(decay(), Vector::Zero(1), {});
-  EquationForms three{0, problem.linear_terms(), {{form_of_x("exp(x)"), Vector()}}};
-  EXPECT_NEAR(problem.left(Beside{three}), problem.left(three), 1e-15);
-  double least = problem.left(EquationForms{0, {}, three.forms});
-  for (const Term& term : three.terms) least = std::min(least, problem.left({0, {term}, {}}));
-  EXPECT_NEAR(problem.left(Beside{three, true}), least, 1e-9 * least + 1e-15);
+  const std::vector<Term> terms = problem.linear_terms();
+  ASSERT_EQ(terms.size(), 2u);
+  const EquationForms linear{0, terms, {}};
+  const std::vector<Start> starts{{{form_of_x("exp(x)"), Vector()}, 0, 0.0}};
+  const auto rating = [&](const Beside& beside) { return problem.rated({beside}, starts)(0, 0); };
+  EquationForms alone{0, {}, {starts[0].form}};
+  // Two parameters: one of the members goes; one parameter: both.
+  double one = problem.left({0, {terms[0]}, alone.forms});
+  one = std::min(one, problem.left({0, {terms[1]}, alone.forms}));
+  EXPECT_NEAR(rating({linear, 2, 0, 1e-9, 0.0}), one, 1e-9 * one);
+  const double left = problem.left(alone), bare = problem.left(EquationForms{0, {}, {}});
+  ASSERT_LT(left, bare);
+  EXPECT_NEAR(rating({linear, 1, 0, 1e-9, 0.0}), left, 1e-9 * left);
+  // What it takes of all that is left, or of what is beyond a limit.
+  const double taken = (bare - left) / bare, limit = 0.5 * bare;
+  EXPECT_TRUE(std::isfinite(rating({linear, 1, 0, 0.999 * taken, 0.0})));
+  EXPECT_TRUE(std::isinf(rating({linear, 1, 0, 1.001 * taken, 0.0})));
+  EXPECT_TRUE(std::isfinite(rating({linear, 1, 0, std::min(1.0, 1.9 * taken), limit})));
+  EXPECT_TRUE(std::isinf(rating({linear, 1, 1}))) << "no place for a member";
+  EXPECT_TRUE(std::isfinite(rating({linear, 2, 1})));
 }
 
 TEST(FormProblem, TheBestStartsAreThoseOfEachCandidateThatLeaveLeast) {
   std::vector<Start> starts(5);
   for (std::size_t i = 0; i < starts.size(); ++i) starts[i].candidate = i / 2;  // 0 0 1 1 2
   set_residuals(Vector{{9.0, 3.0, 5.0, 6.0, INFINITY}}, starts);
-  const auto left = [&](std::size_t count, double most) {
+  const auto left = [&](std::size_t count) {
     std::vector<double> values;
-    for (const Start& start : best_of(starts, count, most)) values.push_back(start.left);
+    for (const Start& start : best_of(starts, count)) values.push_back(start.left);
     return values;
   };
-  EXPECT_EQ(left(3, 1e300), (std::vector<double>{3.0, 5.0}));
-  EXPECT_EQ(left(1, 1e300), (std::vector<double>{3.0}));
-  EXPECT_EQ(left(3, 4.0), (std::vector<double>{3.0}));
-  EXPECT_TRUE(left(3, 2.0).empty());
+  EXPECT_EQ(left(3), (std::vector<double>{3.0, 5.0}));
+  EXPECT_EQ(left(1), (std::vector<double>{3.0}));
 }
 
 TEST(FormProblem, ThinnedKeepsTheFormAndWhatIsNeeded) {

@@ -14,7 +14,7 @@ std::size_t rounds_of(const std::vector<Change>& changes) {
   return changes.size();
 }
 
-TEST(Approach, GoesOnWhileItsMovesShrink) {
+TEST(Approach, GoesOnWhileItsMovesAreHalved) {
   EXPECT_EQ(rounds_of({{true, 9.0}, {false, 5.0}, {false, 2.0}, {false, 1.9}, {false, 0.4}}), 5u);
   EXPECT_EQ(rounds_of({{false, 5.0}, {false, 6.0}, {false, 2.0}, {false, 3.0}, {false, 1.0}}),
             5u);
@@ -23,6 +23,10 @@ TEST(Approach, GoesOnWhileItsMovesShrink) {
 TEST(Approach, EndsWhereMovesGoUpAndDown) {
   EXPECT_EQ(rounds_of({{false, 5.0}, {false, 0.5}, {false, 6.0}, {false, 2.0}, {false, 0.1}}),
             4u);
+}
+
+TEST(Approach, EndsWhereMovesShrinkSlowly) {
+  EXPECT_EQ(rounds_of({{false, 5.0}, {false, 4.0}, {false, 3.0}, {false, 2.6}}), 3u);
 }
 
 TEST(Approach, BeginsAnewWithOtherTerms) {

@@ -124,13 +124,32 @@ TEST(WindowSearch, LongerWindowsThatFitWorseAreGivenUp) {
   ASSERT_TRUE(c.search.fit.rows > 0);
   WindowFit before = c.search.fit;
   while (c.grow()) {
-    EXPECT_EQ(c.search.fit.samples, 2 * before.samples);
+    const Index times = c.search.fit.samples / before.samples;
+    EXPECT_EQ(c.search.fit.samples, times * before.samples);
+    EXPECT_TRUE(times == 2 || (times == 4 && c.search.fit.kept_terms)) << times;
     before = c.search.fit;
   }
   EXPECT_EQ(c.search.fit.coefficients, before.coefficients);
   EXPECT_EQ(c.search.fit.samples, before.samples);
   EXPECT_TRUE(c.search.limited);
   EXPECT_FALSE(c.grow());
+}
+
+TEST(WindowSearch, LeapsWhereTermsStayAndComesToTheSame) {
+  const OdeModel& model = test_system("van-der-pol").model;
+  SearchCase leaps(model, noisy_record("van-der-pol", 800, 0.02, 3));
+  SearchCase steps(model, noisy_record("van-der-pol", 800, 0.02, 3));
+  const Index shortest = leaps.search.fit.samples;
+  steps.search.leaps = false;
+  leaps.search.fit.kept_terms = true;
+  ASSERT_TRUE(leaps.grow());
+  ASSERT_TRUE(steps.grow());
+  EXPECT_EQ(leaps.search.fit.samples, 4 * shortest);
+  EXPECT_EQ(steps.search.fit.samples, 2 * shortest);
+  ASSERT_TRUE(steps.grow());
+  EXPECT_EQ(leaps.search.fit.subset, steps.search.fit.subset);
+  EXPECT_LT((leaps.search.fit.coefficients - steps.search.fit.coefficients).cwiseAbs().maxCoeff(),
+            1e-4);
 }
 
 TEST(WindowSearch, WindowsEndWithTheRecord) {
