@@ -191,11 +191,13 @@ std::vector<Term> FormProblem::linear_terms() const {
 }
 
 std::vector<Trial> FormProblem::with_each(const EquationForms& equation,
-                                          const std::vector<Candidate>& candidates) const {
+                                          const std::vector<Candidate>& candidates,
+                                          double wanted) const {
   // A fact of the search: enough to rank forms, which are fitted again.
   constexpr int kEvaluationsRoughly = 25;
   std::vector<Start> starts = all_starts(candidates);
-  set_residuals(rated({{equation}}, starts).col(0), starts);
+  const double takes = wanted > 0.0 ? options_.takes : 0.0;
+  set_residuals(rated({{equation, kAnyNumber, 0, takes, wanted}}, starts).col(0), starts);
   const BaseColumns base(columns(equation), rows_.target(equation.equation));
   std::vector<Trial> trials;
   for (const Start& start :
@@ -206,7 +208,8 @@ std::vector<Trial> FormProblem::with_each(const EquationForms& equation,
   }
   const auto fit = [&](std::size_t count, int evaluations) {
     parallel_for(std::min(count, trials.size()), context_.threads, [&](std::size_t i) {
-      trials[i].left = fit_shapes(base, trials[i].equation.forms.back(), {evaluations});
+      trials[i].left = fit_shapes(base, trials[i].equation.forms.back(),
+                                 {evaluations, wanted});
     });
   };
   fit(trials.size(), kEvaluationsRoughly);

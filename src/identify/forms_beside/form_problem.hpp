@@ -39,10 +39,12 @@ void set_residuals(const Vector& left, std::vector<Start>& starts);
 /// candidate at its best starting point.
 std::vector<Start> best_of(const std::vector<Start>& starts, std::size_t count);
 
+inline constexpr std::size_t kAnyNumber = std::numeric_limits<std::size_t>::max();
+
 /// An equation to which a form is added.
 struct Beside {
   const EquationForms& equation;
-  std::size_t most_parameters = std::numeric_limits<std::size_t>::max();  ///< with the form
+  std::size_t most_parameters = kAnyNumber;  ///< with the form
   std::size_t fewest_members = 0;  ///< that stay beside the form
   /// A form has to take this fraction of what is beyond a limit where those members are gone
   /// that are missed least, as many as most_parameters asks for.
@@ -104,8 +106,10 @@ class FormProblem {
   std::vector<Term> linear_terms() const;
 
   /// The equation with each of the candidates, shapes fitted, the one that leaves least first.
+  /// @param wanted sum of squares of use: FormOptions::takes says what is fitted; 0: any is.
   std::vector<Trial> with_each(const EquationForms& equation,
-                               const std::vector<Candidate>& candidates) const;
+                               const std::vector<Candidate>& candidates,
+                               double wanted = 0.0) const;
 
   /// The equation with one form more and without those members that are missed least, as long
   /// as the residual stays within a limit; infinite where already the form does not.

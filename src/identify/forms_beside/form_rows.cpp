@@ -40,6 +40,18 @@ SparseRows whitening(const Projection& projection) {
   return whole;
 }
 
+/// A matrix with its columns at other places.
+SparseRows with_columns_at(const SparseRows& matrix, const std::vector<Index>& places,
+                           Index columns) {
+  std::vector<Eigen::Triplet<double, Index>> entries;
+  for (Index row = 0; row < matrix.outerSize(); ++row)
+    for (SparseRows::InnerIterator entry(matrix, row); entry; ++entry)
+      entries.emplace_back(row, places[static_cast<std::size_t>(entry.col())], entry.value());
+  SparseRows result(matrix.rows(), columns);
+  result.setFromTriplets(entries.begin(), entries.end());
+  return result;
+}
+
 /// The test function for a dataset, narrower where that leaves too few rows.
 TestFunction narrow_function(const Dataset& data, const std::optional<Vector>& seen) {
   // Facts of the statistic: fewer rows rank forms by chance; a row needs samples to be white.
@@ -57,13 +69,29 @@ TestFunction narrow_function(const Dataset& data, const std::optional<Vector>& s
 
 }  // namespace
 
+Matrix FormRows::Part::whitened(const SparseRows& rows, const Matrix& samples) const {
+  Matrix sums(rows.rows(), samples.cols());
+  for (Index row = 0; row < rows.rows(); ++row) {
+    // The samples of a test function stand next to each other.
+    const Index begin = rows.outerIndexPtr()[row], end = rows.outerIndexPtr()[row + 1];
+    if (begin == end) {
+      sums.row(row).setZero();
+      continue;
+    }
+    const Eigen::Map<const Vector> weights(rows.valuePtr() + begin, end - begin);
+    sums.row(row) = weights.transpose() *
+                    samples.middleRows(rows.innerIndexPtr()[begin], end - begin);
+  }
+  return factor.triangularView<Eigen::Lower>().solve(sums);
+}
+
 FormRows::FormRows(const Dataset& data, const Vector& noise, const std::vector<Term>& library,
                    int threads, const std::optional<Vector>& seen) {
   variables_ = {names_of(data.states), names_of(data.inputs)};
-  states_.resize(data.samples(), data.state_count());
   rates_.resize(data.samples(), data.state_count());
   slots_.resize(data.samples(), variables_.count());
   take_in(data, noise, threads, seen);
+  keep_samples_of_rows();
   take_in(library, threads);
 }
 
@@ -72,35 +100,63 @@ void FormRows::take_in(const Dataset& data, const Vector& noise, int threads,
   const TestFunction function = narrow_function(data, seen);
   const double spacing =
       std::max(test_function_spacing(function), total_duration(data) / kMostRows);
-  std::vector<Part> parts;
+  std::vector<Part> parts(data.trajectories.size());
+  std::vector<Matrix> targets(parts.size());
   Index first = 0;
-  for (const Trajectory& record : data.trajectories) {
-    parts.push_back({first, record.samples(), {}, {}});
-    first += record.samples();
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    parts[i].first = first;
+    first += data.trajectories[i].samples();
   }
   parallel_for(parts.size(), threads, [&](std::size_t i) {
     const Trajectory& record = data.trajectories[i];
-    parts[i].projection = weak_projection(record, function, spacing);
-    states_.middleRows(parts[i].first, parts[i].samples) = record.states;
-    slots_.middleRows(parts[i].first, parts[i].samples) << record.states, record.inputs,
+    slots_.middleRows(parts[i].first, record.samples()) << record.states, record.inputs,
         record.time;
-    if (parts[i].projection.rows() > 0) parts[i].factor = whitening(parts[i].projection);
+    const Projection projection = weak_projection(record, function, spacing);
+    if (projection.rows() == 0) return;
+    parts[i].values = projection.values;
+    parts[i].factor = whitening(projection);
+    targets[i] = data.has_derivatives()
+                     ? parts[i].whitened(projection.values, record.derivatives)
+                     : parts[i].whitened(projection.rates, record.states);
   });
   const auto states = static_cast<std::size_t>(noise.size());
   parallel_for(parts.size() * states, threads, [&](std::size_t i) {
     const auto k = static_cast<Index>(i % states);
     smooth(data.trajectories[i / states], k, noise[k], parts[i / states].first);
   });
-  if (data.has_derivatives()) {
+  if (data.has_derivatives())
     for (std::size_t i = 0; i < parts.size(); ++i)
-      rates_.middleRows(parts[i].first, parts[i].samples) = data.trajectories[i].derivatives;
-    states_.resize(0, 0);
+      rates_.middleRows(parts[i].first, data.trajectories[i].samples()) =
+          data.trajectories[i].derivatives;
+  for (const Matrix& target : targets) rows_ += target.rows();
+  targets_.resize(rows_, data.state_count());
+  Index row = 0;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    if (targets[i].rows() == 0) continue;
+    targets_.middleRows(row, targets[i].rows()) = targets[i];
+    row += targets[i].rows();
+    parts_.push_back(std::move(parts[i]));
   }
-  for (Part& part : parts) {
-    if (part.projection.rows() == 0) continue;
-    rows_ += part.projection.rows();
-    parts_.push_back(std::move(part));
+}
+
+void FormRows::keep_samples_of_rows() {
+  std::vector<Index> kept;
+  for (Part& part : parts_) {
+    std::vector<Index> places(static_cast<std::size_t>(part.values.cols()), -1);
+    for (Index row = 0; row < part.values.outerSize(); ++row)
+      for (SparseRows::InnerIterator entry(part.values, row); entry; ++entry)
+        places[static_cast<std::size_t>(entry.col())] = 0;
+    const auto first = static_cast<Index>(kept.size());
+    for (std::size_t i = 0; i < places.size(); ++i)
+      if (places[i] == 0) {
+        places[i] = static_cast<Index>(kept.size()) - first;
+        kept.push_back(part.first + static_cast<Index>(i));
+      }
+    part.first = first;
+    part.values = with_columns_at(part.values, places, static_cast<Index>(kept.size()) - first);
   }
+  slots_ = slots_(kept, Eigen::all).eval();
+  rates_ = rates_(kept, Eigen::all).eval();
 }
 
 void FormRows::take_in(const std::vector<Term>& library, int threads) {
@@ -115,20 +171,6 @@ void FormRows::smooth(const Trajectory& record, Index state, double noise, Index
   const Matrix smooth = smooth_by_polynomials(record.time, record.states.col(state), noise);
   rates_.col(state).segment(first, record.samples()) = smooth.col(1);
   if (noise > 0.0) slots_.col(state).segment(first, record.samples()) = smooth.col(0);
-}
-
-template <class Functional>
-Matrix FormRows::projected_by(const Matrix& samples, Functional functional) const {
-  Matrix result(rows_, samples.cols());
-  Index row = 0;
-  for (const Part& part : parts_) {
-    const Index count = part.projection.rows();
-    auto block = result.middleRows(row, count);
-    block = functional(part.projection) * samples.middleRows(part.first, part.samples);
-    block = part.factor.triangularView<Eigen::Lower>().solve(block.eval());
-    row += count;
-  }
-  return result;
 }
 
 Matrix FormRows::values(const std::vector<Expression>& forms) const {
@@ -157,14 +199,15 @@ Matrix FormRows::columns_of(const std::vector<Term>& terms) const {
 }
 
 Matrix FormRows::projected(const Matrix& samples) const {
-  return projected_by(samples,
-                      [](const Projection& p) -> const SparseRows& { return p.values; });
-}
-
-Vector FormRows::target(Index state) const {
-  if (states_.size() == 0) return projected(rates_.col(state));
-  const Matrix values = states_.col(state);
-  return projected_by(values, [](const Projection& p) -> const SparseRows& { return p.rates; });
+  Matrix result(rows_, samples.cols());
+  Index row = 0;
+  for (const Part& part : parts_) {
+    const Index count = part.values.rows();
+    result.middleRows(row, count) =
+        part.whitened(part.values, samples.middleRows(part.first, part.values.cols()));
+    row += count;
+  }
+  return result;
 }
 
 double residual_squares(const Matrix& columns, const Vector& target) {

@@ -35,7 +35,10 @@ class FormRows {
   /// The same of terms.
   Matrix columns_of(const std::vector<Term>& terms) const;
 
-  Vector target(Index state) const;  ///< K
+  Vector target(Index state) const { return targets_.col(state); }  ///< K
+
+  /// Samples that rows depend on: of long records those within a test function.
+  Index samples() const { return slots_.rows(); }
 
   /// Samples x forms: the values themselves.
   Matrix values(const std::vector<Expression>& forms) const;
@@ -49,9 +52,12 @@ class FormRows {
  private:
   /// Rows of one record.
   struct Part {
-    Index first = 0, samples = 0;  ///< of the slots
-    Projection projection;
+    Index first = 0;    ///< of its samples
+    SparseRows values;  ///< K x samples, of forms
     SparseRows factor;  ///< L of the whitening, banded
+
+    /// L^-1 times the rows of what is given at the samples.
+    Matrix whitened(const SparseRows& rows, const Matrix& samples) const;
   };
 
   /// Samples and rows of all records.
@@ -64,13 +70,13 @@ class FormRows {
   /// A state of a record, smoothed, at its place among the samples.
   void smooth(const Trajectory& record, Index state, double noise, Index first);
 
-  template <class Functional>
-  Matrix projected_by(const Matrix& samples, Functional functional) const;
+  /// Leaves out the samples that no row depends on.
+  void keep_samples_of_rows();
 
   Variables variables_;
-  Matrix slots_;   ///< samples x variables, where forms are evaluated
-  Matrix states_;  ///< samples x m, as measured; none where rates are measured
-  Matrix rates_;   ///< samples x m, as measured, or smoothed
+  Matrix slots_;    ///< samples x variables, where forms are evaluated
+  Matrix rates_;    ///< samples x m, as measured, or smoothed
+  Matrix targets_;  ///< K x m
   std::vector<Part> parts_;
   Index rows_ = 0;
   std::map<std::string, Vector> known_;  ///< columns of the library, by names of terms

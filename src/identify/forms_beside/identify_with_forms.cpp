@@ -40,16 +40,21 @@ struct Counted {
   std::size_t numbers;
 };
 
-/// Candidates of each equation; none where it is known what it is.
+/// Candidates of each equation; none where it is known what it is, or where the library fits with
+/// so few parameters that no form has fewer.
 std::vector<std::vector<Candidate>> candidates_for(const ExtendedPipeline& pipeline,
                                                    const Dataset& data,
                                                    const std::vector<Stage<Effect>>& effects,
-                                                   const IdentificationResult& alone) {
+                                                   const IdentificationResult& alone,
+                                                   const FormOptions& options) {
+  const bool fits = reaches_the_noise(alone);
+  const auto fewest = static_cast<std::size_t>(options.fewest_parameters);
   const Scope scope = make_scope(alone.model, data, alone.noise);
   std::vector<std::vector<Candidate>> candidates;
   for (Index k = 0; k < data.state_count(); ++k) {
     std::vector<Candidate>& all = candidates.emplace_back();
-    if (data.rate_state(k)) continue;
+    const std::size_t terms = alone.model.equations()[static_cast<std::size_t>(k)].size();
+    if (data.rate_state(k) || (fits && terms < fewest)) continue;
     all = function_forms(scope, effects, k);
     for (Candidate& fraction : pipeline.search().fractions(scope, k, pipeline.library().terms))
       all.push_back(std::move(fraction));
@@ -156,20 +161,16 @@ Extension plain_model(const FormsTask& task, std::vector<EquationForms> equation
 }
 
 /// The equations with forms in the place of terms; nothing where no form takes any.
-/// @param fits whether the library alone reaches the noise: then few numbers need no fewer.
 std::optional<std::vector<EquationForms>> thinned(const FormsTask& task,
                                                   const IdentificationResult& found,
-                                                  std::vector<EquationForms> equations,
-                                                  bool fits) {
+                                                  std::vector<EquationForms> equations) {
   const FormSearch& search = task.pipeline.search();
-  const auto fewest = static_cast<std::size_t>(task.options.fewest_parameters);
   const std::vector<EquationForms> kept = kept_in(found, equations);
   bool changed = false;
   for (std::size_t k = 0; k < equations.size(); ++k) {
+    equations[k] = kept[k];
     if (task.candidates[k].empty()) continue;
     task.report(0.5 + 0.5 * task.fraction(k));
-    equations[k] = kept[k];
-    if (fits && kept[k].parameters() < fewest) continue;
     equations[k] = search.refitted(search.with_fewer_terms(
         kept[k], task.candidates[k], task.pipeline.library().terms, left_by(found.fit[k]),
         task.negligible()));
@@ -185,7 +186,7 @@ Extension with_forms_beside(const FormsTask& task, const IdentificationResult& a
   if (!fits) equations = with_missing_forms(task, std::move(equations));
   const IdentificationResult found = fits ? alone : task.pipeline.identified(equations);
   const std::vector<EquationForms> kept = kept_in(found, equations);
-  auto fewer = thinned(task, found, std::move(equations), fits);
+  auto fewer = thinned(task, found, std::move(equations));
   if (!fewer) return {found, kept};
   Extension plain = plain_model(task, std::move(*fewer));
   const bool is_lost = task.pipeline.models().is_ahead(found, plain.result, task.options.same);
@@ -295,7 +296,7 @@ IdentificationResult with_forms_beside(const RecordStream& records, const Pipeli
   const ExtendedPipeline extended(records, pipeline, options, alone, context);
   if (!has_rows_for_forms(extended)) return alone;
   const Dataset& data = records.excerpt();
-  const auto candidates = candidates_for(extended, data, effects, alone);
+  const auto candidates = candidates_for(extended, data, effects, alone, options);
   const FormsTask task{extended, candidates, data, options, context};
   Extension with = with_forms_beside(task, alone);
   if (!is_better(task, with, alone)) with = {alone, kept_in(alone, bare_equations(task))};

@@ -136,9 +136,10 @@ Trial FormSearch::fewest_beside(const EquationForms& others,
 
 EquationForms FormSearch::with_missing_forms(EquationForms equation,
                                              const std::vector<Candidate>& candidates,
-                                             std::size_t most_forms) const {
+                                             std::size_t most_forms,
+                                             double most_residual) const {
   const double least = fitting(problem_->residual_noise(equation.equation));
-  return extended(std::move(equation), candidates, most_forms, least);
+  return extended(std::move(equation), candidates, most_forms, least, most_residual);
 }
 
 double FormSearch::fitting(double noise) const {
@@ -154,11 +155,13 @@ double FormSearch::squares_of(double fraction, Index equation) const {
 
 EquationForms FormSearch::extended(EquationForms equation,
                                    const std::vector<Candidate>& candidates,
-                                   std::size_t most_forms, double least) const {
+                                   std::size_t most_forms, double least,
+                                   double most_residual) const {
   const Index k = equation.equation;
   double left = problem_->left(equation);
   while (equation.forms.size() < most_forms && left > least) {
-    const std::vector<Trial> trials = problem_->with_each(equation, candidates);
+    const double wanted = most_residual < 1.0 ? most_residual * most_residual * left : 0.0;
+    const std::vector<Trial> trials = problem_->with_each(equation, candidates, wanted);
     if (trials.empty()) break;
     const double same = problem_->same_as(trials.front().left, problem_->residual_noise(k));
     if (!(left > same)) break;

@@ -86,9 +86,11 @@ class FormSearch {
 
   /// Takes in the candidate that leaves least beside what is there, the plainest of those that
   /// leave the same, as long as more than noise is left and forms take something away.
+  /// @param most_residual fraction of the residual (rms) that a form has to leave at most; 1: any
+  ///   may be taken in.
   EquationForms with_missing_forms(EquationForms equation,
                                    const std::vector<Candidate>& candidates,
-                                   std::size_t most_forms) const;
+                                   std::size_t most_forms, double most_residual = 1.0) const;
 
   /// Looks for a form beside which so many terms and forms may leave that fewer parameters
   /// are equivalent: sin(x) for x, x^3, x*y^2, beside what the equation has, beside the
@@ -130,7 +132,7 @@ class FormSearch {
  private:
   /// Takes in candidates as with_missing_forms(), as long as more than `least` is left.
   EquationForms extended(EquationForms equation, const std::vector<Candidate>& candidates,
-                         std::size_t most_forms, double least) const;
+                         std::size_t most_forms, double least, double most_residual = 1.0) const;
 
   /// The most that an equation leaves that fits to so much noise (sums of squares).
   double fitting(double noise) const;

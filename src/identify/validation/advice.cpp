@@ -51,7 +51,8 @@ std::optional<Asked> asked_by(const FormTask& task, Index k) {
   const std::vector<Candidate> candidates = function_forms(task.scope, task.effects, k);
   double left = before;
   for (std::size_t forms = 1; forms <= most_forms; ++forms) {
-    EquationForms more = search.with_missing_forms(equation, candidates, forms);
+    EquationForms more = search.with_missing_forms(equation, candidates, forms,
+                                                   task.options.most_residual);
     const double with = search.left(more);
     if (more.forms.size() < forms || !(std::sqrt(with / left) < task.options.most_residual))
       break;

@@ -262,8 +262,12 @@ void search_longer(const SearchTask& task, Searches searches, Searches& settled,
     settled = searches;
   }
   drop_when_agreed(searches);
-  take_all_windows(task, searches.first, context);
-  if (searches.second) take_all_windows(task, *searches.second, context);
+  const auto complete = [&](WindowSearch& search) {
+    take_all_windows(task, search, context);
+    check_steps(task, search, context);
+  };
+  complete(searches.first);
+  if (searches.second) complete(*searches.second);
   drop_when_agreed(searches);
   settled = searches;
   finish(searches.first, context);

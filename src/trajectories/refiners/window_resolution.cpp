@@ -11,6 +11,9 @@
 namespace lacuna {
 namespace {
 
+/// A fact: an error of a tenth of the noise is a hundredth of its square.
+constexpr double kTruncationOverNoise = 0.1;
+
 bool is_known(const SearchTask& task, Index state) {
   return task.noise[static_cast<std::size_t>(state)].kind != NoiseKind::None;
 }
@@ -54,11 +57,16 @@ bool learn_noise(const SearchTask& task, WindowSearch& search) {
   return factors.minCoeff() < 0.5;
 }
 
+bool asks_for_a_step_test(const WindowSearch& search) {
+  // A decision (docs/decisions/numbers.md).
+  constexpr double kPassedByFar = 0.1;
+  return search.steps.samples != search.fit.samples &&
+         search.steps.moved > kPassedByFar * kTruncationOverNoise;
+}
+
 bool refine_steps(const SearchTask& task, WindowSearch& search, const RunContext& context) {
   // A fact of cost.
   constexpr Index kMostSubsteps = 8;
-  // A fact: an error of a tenth of the noise is a hundredth of its square.
-  constexpr double kTruncationOverNoise = 0.1;
   // A fact: fourth order gives 1/16; where terms jump nothing is gained.
   constexpr double kMovedAgain = 0.25;
   const Index before = search.path.substeps();
@@ -74,6 +82,7 @@ bool refine_steps(const SearchTask& task, WindowSearch& search, const RunContext
     settle(search, {.iterations = 1}, context);
     break;
   }
+  search.steps = {last, search.fit.samples};
   // The finest steps leave a fifteenth of what the last halving moved.
   if (search.path.substeps() == kMostSubsteps && before < kMostSubsteps)
     raise_floor(task, search, last / 15.0 / kTruncationOverNoise);

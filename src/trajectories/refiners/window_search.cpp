@@ -85,7 +85,8 @@ void fit_windows(const SearchTask& task, WindowSearch& search, const Matrix& coe
     converge(task, search, context, rounds);
     if (rounds < kRoundsOfChoices && !search.fit.settled) break;
     const bool quieter = learn_noise(task, search);
-    const bool finer = refine_steps(task, search, context);
+    if (quieter) search.steps = {};
+    const bool finer = asks_for_a_step_test(search) && refine_steps(task, search, context);
     if (!quieter && !finer) break;
   }
   search.fit.kept_terms = have_same_terms(search.fit.coefficients, coefficients);
@@ -250,6 +251,11 @@ void take_all_windows(const SearchTask& task, WindowSearch& search, const RunCon
   fit_windows(task, all, search.fit.coefficients, search.fit.samples, context);
   all.limited = search.limited;
   if (acceptable(search.fit, all.fit)) search = std::move(all);
+}
+
+void check_steps(const SearchTask& task, WindowSearch& search, const RunContext& context) {
+  const bool is_longer = search.steps.samples < search.fit.samples;
+  if (is_longer && refine_steps(task, search, context)) converge(task, search, context);
 }
 
 /// A path that moves by a thousandth of sigma leaves the coefficients where they are.

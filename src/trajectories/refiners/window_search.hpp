@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -59,6 +60,12 @@ struct WindowFit {
   bool kept_terms = false;  ///< those that the fit began with
 };
 
+/// A test whether steps of integration are short enough.
+struct StepTest {
+  double moved = std::numeric_limits<double>::infinity();  ///< the path, by half the steps; sigma
+  Index samples = 0;                                       ///< of the windows; 0: no test
+};
+
 /// The search for structure and coefficients in windows of growing length, as far as it has
 /// come. Its task must outlive it.
 struct WindowSearch {
@@ -71,6 +78,7 @@ struct WindowSearch {
   Index shortest = 0;               ///< samples of the first windows
   WindowFit fit = {};
   bool limited = false;  ///< longer windows were tried and the model fits them worse
+  StepTest steps = {};   ///< the last one
   bool leaps = true;     ///< windows four times as long have done wherever they were tried
   std::vector<CoefficientConstraint> constraints = {};  ///< those of the task
 };
@@ -90,6 +98,9 @@ bool grow(const SearchTask& task, WindowSearch& search, const RunContext& contex
 /// Fits in as many windows as there are what was chosen in as many as the candidates ask for:
 /// weak terms show in these. The fit stays as it was where that is worse.
 void take_all_windows(const SearchTask& task, WindowSearch& search, const RunContext& context);
+
+/// Makes the steps finer where windows that have grown since the last test ask for it.
+void check_steps(const SearchTask& task, WindowSearch& search, const RunContext& context);
 
 /// The last iterations, after which coefficients no longer change.
 void finish(WindowSearch& search, const RunContext& context);

@@ -49,7 +49,24 @@ TEST(FormRows, MeasuredRatesAreTheTargetWithoutAnErrorOfQuadrature) {
   const Matrix columns = rows.columns({parse_expression("y"), parse_expression("x^3")});
   EXPECT_LT((columns.col(0) - rows.target(0)).norm(), 1e-13 * rows.target(0).norm());
   EXPECT_LT((columns.col(1) + rows.target(1)).norm(), 1e-13 * rows.target(1).norm());
-  EXPECT_EQ(rows.rate(0), record.derivatives.col(0));
+  EXPECT_EQ(rows.samples(), 99) << "test functions are 0 at their ends";
+  EXPECT_EQ(rows.rate(0), record.derivatives.col(0).segment(1, 99));
+}
+
+TEST(FormRows, OfALongRecordKeepTheSamplesWithinTestFunctions) {
+  // 20 000 turns of 20 samples: a thousand rows are far apart.
+  Dataset data = circle(200001, 0.0);
+  Trajectory& record = data.trajectories[0];
+  record.time *= 1000.0;
+  for (Index i = 0; i < record.samples(); ++i)
+    record.states.row(i) << 2.0 * std::cos(record.time[i]), -2.0 * std::sin(record.time[i]);
+  const FormRows rows(data, Vector::Zero(2));
+  EXPECT_LT(rows.samples(), 160000);
+  const Expression y = parse_expression("y");
+  EXPECT_EQ(rows.values({y}).rows(), rows.samples());
+  EXPECT_LT((rows.values({y}).col(0) - rows.rate(0)).cwiseAbs().maxCoeff(), 0.02);
+  EXPECT_LT((rows.columns({y}).col(0) - rows.target(0)).norm(), 1e-3 * rows.target(0).norm());
+  EXPECT_EQ(rows.projected(rows.values({y})), rows.columns({y}));
 }
 
 TEST(FormRows, NoiseOfTheStateIsWhiteNoiseOfItsTarget) {
@@ -63,7 +80,7 @@ TEST(FormRows, NoiseOfTheStateIsWhiteNoiseOfItsTarget) {
 TEST(FormRows, GiveTheValuesAtTheSamples) {
   const FormRows rows(circle(101, 0.0), Vector::Zero(2));
   const Matrix values = rows.values({parse_expression("x^2+y^2")});
-  ASSERT_EQ(values.rows(), 101);
+  ASSERT_EQ(values.rows(), rows.samples());
   EXPECT_NEAR(values(17, 0), 4.0, 1e-12);
 }
 
