@@ -47,11 +47,11 @@ Truncation::Truncation(double low, double high) {
   }
   const double inside = 0.5 * (std::erfc(near * M_SQRT1_2) - std::erfc(far * M_SQRT1_2));
   const double probability = std::max(inside, 1e-300);
-  const double mean = (density(near) - density(far)) / probability;
+  const double at_near = density(near), at_far = density(far);
+  const double mean = (at_near - at_far) / probability;
   deviance = -2.0 * std::log(probability);
   shift = side * mean;
-  fraction = std::clamp(mean * mean + (far * density(far) - near * density(near)) / probability,
-                        0.0, 1.0);
+  fraction = std::clamp(mean * mean + (far * at_far - near * at_near) / probability, 0.0, 1.0);
 }
 
 Truncation::Truncation(double z) {

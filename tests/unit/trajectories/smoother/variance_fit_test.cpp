@@ -114,6 +114,33 @@ TEST(VarianceFit, SamplesAtAnEndBiasNoNoise) {
   EXPECT_NEAR(*found.noise.measurement[1], 0.02, 0.002);
 }
 
+TEST(VarianceFit, WhatDoesNotDisturbIsFoundToBeNothingInFewSteps) {
+  const VarianceCase made = make_variance_case(support::nothing);
+  const Vector floor = Vector::Constant(2, 1e-9);
+  const SmoothedNoise found = VarianceFit(floor).run(made.view(), noise_of(0.015, 0.05), 12);
+  NoiseModel least = found.noise;
+  for (double& disturbance = least.disturbance[1]; disturbance > 1e-9; disturbance *= 0.7)
+    EXPECT_GT(deviance_of(made, least), found.deviance - 0.1) << disturbance;
+}
+
+TEST(VarianceFit, OnALatticeItEndsWhereFurtherStepsLeadNowhere) {
+  VarianceCase made = make_variance_case(support::nothing);
+  const double lattice = 0.05;
+  made.measured[0].col(0) =
+      lattice * (made.measured[0].col(0).array() / lattice).round().matrix();
+  NoiseModel start = noise_of(0.02, 0.05);
+  start.lattice = {lattice, 0.0};
+  const Vector floor = Vector::Constant(2, 1e-3);
+  const SmoothedNoise few = VarianceFit(floor).run(made.view(), start, 20);
+  const SmoothedNoise many = VarianceFit(floor).run(made.view(), start, 200);
+  EXPECT_EQ(few.deviance, many.deviance);
+  for (const double factor : {0.8, 1.25}) {
+    NoiseModel other = few.noise;
+    *other.measurement[0] *= factor;
+    EXPECT_GT(deviance_of(made, other), few.deviance - 2.0);
+  }
+}
+
 TEST(VarianceFit, WhatIsKnownOfTheCurvatureDoesNotMoveTheAnswer) {
   const VarianceCase made =
       make_variance_case([](double t, double, double) { return std::sin(3.0 * t); });
