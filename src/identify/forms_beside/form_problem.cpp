@@ -340,7 +340,11 @@ double FormProblem::fit_shapes(const BaseColumns& base, MissingForm& form,
     return std::log(std::max(base.left_with(column(at)), 1e-300));
   };
   const int most = fit.evaluations * static_cast<int>(start.size() * start.size());
-  return std::exp(left(least_in_cube(left, start, {0.03, 1e-7, most})));
+  const double searched = std::exp(left(least_in_cube(left, start, {0.03, 1e-7, most})));
+  if (!(is_inside && reached.squares < searched)) return searched;
+  // Where rounding is left no step goes down, and none converges.
+  form.shapes = scale.shapes(reached.point);
+  return reached.squares;
 }
 
 Matrix FormProblem::rated(const std::vector<Beside>& equations,

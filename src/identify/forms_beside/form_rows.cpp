@@ -70,18 +70,8 @@ TestFunction narrow_function(const Dataset& data, const std::optional<Vector>& s
 }  // namespace
 
 Matrix FormRows::Part::whitened(const SparseRows& rows, const Matrix& samples) const {
-  Matrix sums(rows.rows(), samples.cols());
-  for (Index row = 0; row < rows.rows(); ++row) {
-    // The samples of a test function stand next to each other.
-    const Index begin = rows.outerIndexPtr()[row], end = rows.outerIndexPtr()[row + 1];
-    if (begin == end) {
-      sums.row(row).setZero();
-      continue;
-    }
-    const Eigen::Map<const Vector> weights(rows.valuePtr() + begin, end - begin);
-    sums.row(row) = weights.transpose() *
-                    samples.middleRows(rows.innerIndexPtr()[begin], end - begin);
-  }
+  // One by one, so that columns that are equal have equal sums: ties are broken by their order.
+  const Matrix sums = rows * samples;
   return factor.triangularView<Eigen::Lower>().solve(sums);
 }
 
