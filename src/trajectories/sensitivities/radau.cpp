@@ -91,7 +91,7 @@ double RadauFlow::step(Rates& rates, DriveSlots drive, double t, double longest,
   if (!(step_ > 0.0)) step_ = longest;
   if (seen_.size() == 0) seen_ = x.cwiseAbs();
   for (int count = 0; count < kMostSteps; ++count) {
-    if (t + step_ == t || !x.allFinite()) return 0.0;
+    if (t + step_ == t || !x.allFinite() || allowed_-- <= 0) return 0.0;
     const bool last = 1.01 * step_ >= longest;
     const double h = last ? longest : step_;
     const double off = solve_stages(rates, drive, t, h, x)

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -47,6 +48,10 @@ class RadauFlow {
   ///   of its largest value, are let pass.
   void begin(double tolerance = kTolerance);
 
+  /// So many systems of stages are solved from now on at most; then no step can be made.
+  void allow(long solutions) { allowed_ = solutions; }
+  long allowed() const { return allowed_; }  ///< what is left of them
+
   /// Goes from t0 to t1, between which the signals are smooth.
   /// @param sensitivity nothing, or m x m, or m x (m + P): derivatives of the state by what
   ///   they are derivatives by, then by the parameters of the rates; carried on to t1.
@@ -74,6 +79,7 @@ class RadauFlow {
   Vector accuracy_;
   double tolerance_ = kTolerance;
   double step_ = 0.0;                         // the next one; 0: not known yet
+  long allowed_ = std::numeric_limits<long>::max();
   Vector seen_;                               // the largest values of the states so far
   Matrix shift_;                              // m x 3: states of the stages less the begin
   Matrix slots_, rate_, jacobian_, columns_;  // at the begin of the step, then at its stages

@@ -15,7 +15,7 @@ namespace lacuna {
 bool has_stiff_steps(const Matrix& slopes, const StepGrid& grid, const Vector& length);
 
 /// States at the ends of all steps from a path, (n-1) x m, by implicit steps; nothing where one
-/// of them cannot be made.
+/// of them cannot be made, or where so many are needed that the path is none of the model's.
 /// @param accuracy m: an error of a step that is small against it is good enough.
 std::optional<Matrix> implicit_ends(Rates& rates, const StepSlots& slots,
                                     const Vector& accuracy);

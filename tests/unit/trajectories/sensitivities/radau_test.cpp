@@ -79,6 +79,23 @@ TEST(Radau, FollowsRobertsonsReactionsTo1e5SecondsInFewSteps) {
   EXPECT_LT(steps, 4 * 1000) << "four times a step";
 }
 
+TEST(Radau, MakesAsManyStepsAsItMay) {
+  Rates rates(swing());
+  rates.set(swing().values());
+  RadauFlow flow;
+  Vector x{{0.4, -0.2}};
+  flow.allow(1000);
+  ASSERT_TRUE(flow.advance(rates, Drive{rates}, 0.2, 1.7, x));
+  const long needed = 1000 - flow.allowed();
+  ASSERT_GT(needed, 1);
+  for (const long less : {0L, 1L}) {
+    RadauFlow other;
+    x << 0.4, -0.2;
+    other.allow(needed - less);
+    EXPECT_EQ(other.advance(rates, Drive{rates}, 0.2, 1.7, x), less == 0);
+  }
+}
+
 TEST(Radau, ARunawayIsNoPath) {
   const OdeModel model = parse_ode("dx/dt = x^2\n", "runaway");
   Rates rates(model);
