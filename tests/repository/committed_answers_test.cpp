@@ -86,10 +86,14 @@ TEST(CommittedAnswers, AreNotGreenWhereTheGapStaysOpen) {
   // What is no size of an effect comes from the arithmetic that made or sampled the records
   // (`effect_size` of the decisions).
   constexpr double kNoSize = 1e-3;
-  int green = 0;
+  // Rows of tables that were made before these had floors. A table that is made again has them;
+  // none is added.
+  constexpr int kWithoutFloor = 138;
+  int green = 0, without_floor = 0;
   for (const std::filesystem::path& path : tables_of_answers())
     for (const Row& row : rows_of(path)) {
       const std::optional<double> floor = floor_of(row);
+      without_floor += is_green(row.at("answer")) && !floor;
       if (!is_green(row.at("answer")) || row.at("gap").empty() || !floor) continue;
       ++green;
       const double allowed = std::max(2.0 * *floor, kNoSize);
@@ -97,6 +101,7 @@ TEST(CommittedAnswers, AreNotGreenWhereTheGapStaysOpen) {
           << path.filename() << ": " << row.at("case") << ", " << row.at("answer");
     }
   EXPECT_GT(green, 1000);
+  EXPECT_LE(without_floor, kWithoutFloor);
 }
 
 TEST(CommittedAnswers, NorAreThoseOfDevices) {

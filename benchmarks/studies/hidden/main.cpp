@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: MIT
 // How often the diagnosis is right about systems whose truth is known. Usage:
-//   study_hidden cases|power|alarm|reality|ordinary|smoothed|twins|benches|nulls|practice|
-//   decisions|export [FOLDER] [PART_OF_A_NAME] [NOISE_LEVEL] [--cells FOLDER]
+//   study_hidden cases|power|alarm|reality|ordinary|smoothed|twins|benches|nulls|sensors|
+//   practice|decisions|export [FOLDER] [PART_OF_A_NAME] [NOISE_LEVEL] [--cells FOLDER]
 // cases: every hidden case at four noise levels; power: one case per family at three sizes of
 // the effect; alarm: 500 records in which nothing is missing; reality: effects and complete
 // systems in records as benches make them; ordinary: 500 of these in which nothing is missing;
 // smoothed: effects and complete systems in records that somebody smoothed; twins: devices as
 // benches have them, and as many that lack nothing; benches: where a wrong name is likely;
-// nulls: devices that lack nothing on benches with faults; practice: the cases in the folder
-// `practice` of LACUNA_DATA; decisions: the cases at 1 % noise (for thresholds of
-// smoothing, the smoothed ones too) with each threshold at half and at double its value.
+// nulls: devices that lack nothing on benches with faults; sensors: devices behind sensors that
+// show the states of other times; practice: the cases in the folder `practice` of LACUNA_DATA;
+// decisions: the cases at 1 % noise (for thresholds of smoothing, the smoothed ones too) with
+// each threshold at half and at double its value.
 #include <cstdlib>
 #include <filesystem>
 #include <iostream>
@@ -49,6 +50,7 @@ std::vector<Trial> trials_of(const StudyArguments& given, Cells<Outcome>& cells)
     return practice_trials(std::filesystem::path(data) / "practice", part, options, cells);
   if (given.at(0) == "benches") return bench_trials(6, part, options, cells);
   if (given.at(0) == "nulls") return null_trials(8, part, options, cells);
+  if (given.at(0) == "sensors") return sensor_trials(part, options, cells);
   std::vector<Trial> trials = chosen_trials(given.at(0));
   std::erase_if(trials, [&](const Trial& trial) {
     return trial.hidden.name.find(part) == std::string::npos ||
@@ -85,7 +87,7 @@ int run(const StudyArguments& given) {
   if (trials.empty())
     throw ConfigError("study_hidden", "there are no such trials",
                       "give cases, power, alarm, reality, ordinary, smoothed, twins, benches, "
-                      "nulls or (with LACUNA_DATA set) practice");
+                      "nulls, sensors or (with LACUNA_DATA set) practice");
   const auto finished = run_cells(given.store(name), cells);
   if (!finished) return 0;
   write_tables(folder, name, trials, *finished);
@@ -100,8 +102,8 @@ int run(const StudyArguments& given) {
 int main(int argc, char** argv) {
   return lacuna::benchmarks::study_main(
       {"hidden",
-       "cases|power|alarm|reality|ordinary|smoothed|twins|benches|nulls|practice|decisions|"
-       "export "
+       "cases|power|alarm|reality|ordinary|smoothed|twins|benches|nulls|sensors|practice|"
+       "decisions|export "
        "[FOLDER] [PART_OF_A_NAME] [NOISE_LEVEL]",
        lacuna::benchmarks::run, 1},
       argc, argv);

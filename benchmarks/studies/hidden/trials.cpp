@@ -8,6 +8,7 @@
 #include "hidden/support/cases.hpp"
 #include "hidden/support/null_benches.hpp"
 #include "hidden/support/ordinary.hpp"
+#include "hidden/support/sensor_benches.hpp"
 #include "hidden/support/twins.hpp"
 
 namespace lacuna::benchmarks {
@@ -157,12 +158,14 @@ std::vector<Trial> bench_trials(int draws, const std::string& part,
 
 namespace {
 
-/// How many of the names of an answer say what a moving average does to its channel.
-int names_of_sensor(const std::string& answer) {
+/// How many of the names of an answer are among some.
+int count_of(const std::vector<std::string>& names, const std::string& answer) {
   int count = 0;
-  for (const char* name : {" sensor-lag ", " channel-skew "})
+  for (const std::string& one : names) {
+    const std::string name = " " + one + " ";
     for (auto at = answer.find(name); at != std::string::npos; at = answer.find(name, at + 1))
       ++count;
+  }
   return count;
 }
 
@@ -170,7 +173,8 @@ Outcome run_null(hidden::BenchFault fault, std::uint64_t seed, const DiagnosisOp
   const hidden::BenchCase made = hidden::null_bench(fault, seed);
   Outcome outcome = judge(made.hidden, made.records, made.clean, options);
   if (fault == hidden::BenchFault::MovingAverage)
-    outcome.score.spurious -= names_of_sensor(outcome.score.answer);
+    outcome.score.spurious -=
+        count_of({"sensor-lag", "channel-skew"}, outcome.score.answer);
   return outcome;
 }
 
@@ -187,6 +191,31 @@ std::vector<Trial> null_trials(int draws, const std::string& part,
       add_reported(cells, trial, [=] { return run_null(fault, trial.seed, options); });
       trials.push_back(trial);
     }
+  return trials;
+}
+
+namespace {
+
+/// What is said of sensors is right on these benches.
+Outcome run_sensor(const hidden::SensorBench& bench, const DiagnosisOptions& options) {
+  const hidden::BenchCase made = hidden::made_bench(bench);
+  Outcome outcome = judge(made.hidden, made.records, made.clean, options);
+  outcome.score.spurious -= count_of(hidden::names_of_sensors(), outcome.score.answer);
+  outcome.score.size.reset();
+  return outcome;
+}
+
+}  // namespace
+
+std::vector<Trial> sensor_trials(const std::string& part, const DiagnosisOptions& options,
+                                 Cells<Outcome>& cells) {
+  std::vector<Trial> trials;
+  for (const hidden::SensorBench& bench : hidden::all_sensor_benches()) {
+    const Trial trial{hidden::made_bench(bench).hidden, 1.0, hidden::kBenchNoise, bench.seed};
+    if (trial.hidden.name.find(part) == std::string::npos) continue;
+    add_reported(cells, trial, [=] { return run_sensor(bench, options); });
+    trials.push_back(trial);
+  }
   return trials;
 }
 

@@ -39,6 +39,11 @@ std::vector<Trial> bench_trials(int draws, const std::string& part,
 std::vector<Trial> null_trials(int draws, const std::string& part,
                                const DiagnosisOptions& options, Cells<Outcome>& cells);
 
+/// Devices of hidden::all_sensor_benches(). Names that say what a sensor does are not counted as
+/// too many.
+std::vector<Trial> sensor_trials(const std::string& part, const DiagnosisOptions& options,
+                                 Cells<Outcome>& cells);
+
 /// Twins of devices at 0.2, 0.5 and 1 % noise: each kind drawn so often, and as often without
 /// what it hides.
 std::vector<Trial> twin_trials(int draws);

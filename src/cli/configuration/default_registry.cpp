@@ -142,6 +142,7 @@ void add_diagnosis(Registry& registry) {
   registry.add<ExtendedBic>();
   registry.add<NamedEffects>();
   registry.add<OtherChoices>();
+  registry.add<SensorTiming>();
   registry.add<SensorFault>();
   registry.add<UnmeasuredInput>();
   registry.add<ColouredNoiseHypothesis>();

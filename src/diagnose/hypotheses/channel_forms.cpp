@@ -34,6 +34,16 @@ Candidate lagging(const Scope& scope, const Expression& x, Index state) {
   return candidate;
 }
 
+/// Behind another filter that is like the first.
+Candidate lagging_twice(const Scope& scope, const Expression& x, Candidate candidate) {
+  const Expression behind = Expression::variable(candidate.memory.front().name);
+  const Expression last = Expression::variable(scope.free_name("behind_both"));
+  const Expression tau = Expression::variable(candidate.shapes.front().name);
+  candidate.memory.push_back({last.to_string(), (behind - last) / tau, x});
+  candidate.form = last - x;
+  return candidate;
+}
+
 /// What a sensor makes of the value that is no multiple of it: a curve, or an end that it
 /// nears.
 void add_curves(const Scope& scope, const Expression& x, Index state,
@@ -77,6 +87,21 @@ std::string with_unit(double value, const std::string& unit) {
 }
 
 std::string too(double coefficient) { return coefficient > 0.0 ? "too much" : "too little"; }
+
+/// By how much a slow value is late.
+double lag_of(const FittedEffect& effect) {
+  const auto filters = static_cast<double>(effect.candidate.memory.size());
+  return filters * effect.coefficient * effect.shapes[0];
+}
+
+/// Whether a channel that is late is so by a delay rather than by a filter. Of
+/// 1/(1 + L s + b (L s)^2), b is 0 for a filter, 1/4 for two, 1/3 for means, 1/2 for a delay; n
+/// filters with a coefficient c have 1 - b = (n + 1)/(2 n c).
+bool is_delay(const FittedEffect& effect) {
+  constexpr double kBetweenMeansAndDelay = 5.0 / 12.0;  // a fact: the middle of 1/3 and 1/2
+  const auto n = static_cast<double>(effect.candidate.memory.size());
+  return 1.0 - (n + 1.0) / (2.0 * n * effect.coefficient) > kBetweenMeansAndDelay;
+}
 
 /// What a channel makes of its own state.
 ChannelName own_name(const FittedEffect& effect, const Quantity& state,
@@ -128,13 +153,26 @@ std::vector<Candidate> channel_forms(const Scope& scope, Index state) {
   return forms;
 }
 
+std::vector<Candidate> late_channel_forms(const Scope& scope, Index state) {
+  if (state >= scope.model.dimension() || !(scope.state(state).timescale > scope.step))
+    return {};
+  const Expression x = Expression::variable(scope.state(state).name);
+  Candidate once = lagging(scope, x, state);
+  Candidate twice = lagging_twice(scope, x, once);
+  return {std::move(once), std::move(twice)};
+}
+
 ChannelName channel_name(const FittedEffect& effect, const OdeModel& model) {
   const Candidate& candidate = effect.candidate;
   const Quantity& state = model.states()[static_cast<std::size_t>(candidate.equation)];
   const double c = effect.coefficient;
   const std::string sensor = "the sensor of " + state.name + " ";
+  if (!candidate.memory.empty() && is_delay(effect))
+    return {"channel-skew", state.name + " is sampled " +
+                                with_unit(lag_of(effect), model.time_unit()) +
+                                " later than the rest"};
   if (!candidate.memory.empty())
-    return {"sensor-lag", sensor + "lags by " + with_unit(effect.shapes[0], model.time_unit())};
+    return {"sensor-lag", sensor + "lags by " + with_unit(lag_of(effect), model.time_unit())};
   const std::set<std::string> variables = candidate.form.variables();
   if (variables.empty())
     return {"sensor-offset",

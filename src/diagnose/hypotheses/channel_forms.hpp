@@ -18,12 +18,19 @@ std::vector<Candidate> channel_forms(const Scope& scope, Index state);
 /// what a filter or a curve with an end makes of it, less the state itself.
 bool is_whole(const Candidate& candidate);
 
+/// A channel that shows its state late: the value behind a filter of first order, and behind two
+/// equal ones in series, less the state. With a coefficient c about 1 the value is late by c tau,
+/// or 2 c tau; means of the last samples, speeds made of differences of positions and delays of
+/// the sensor are among them up to the second power of their frequency. None where a record does
+/// not show how late a state is.
+std::vector<Candidate> late_channel_forms(const Scope& scope, Index state);
+
 /// What such a form is called with its numbers, and the sentence for it.
 struct ChannelName {
   std::string name, sentence;
 };
 
-/// @param effect of channel_forms().
+/// @param effect of channel_forms() or late_channel_forms().
 ChannelName channel_name(const FittedEffect& effect, const OdeModel& model);
 
 }  // namespace lacuna

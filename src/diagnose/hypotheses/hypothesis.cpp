@@ -15,9 +15,10 @@
 namespace lacuna {
 
 std::vector<Stage<Hypothesis>> standard_hypotheses() {
-  return in_order({NamedEffects{}, OtherChoices{}, SensorFault{}, UnmeasuredInput{},
-                   ColouredNoiseHypothesis{}, BrokenIdentity{}, SensorCalibration{},
-                   InputSkew{}, InputInterpolation{}, ResidualFunction{}, SharedProcess{}});
+  return in_order({NamedEffects{}, OtherChoices{}, SensorTiming{}, SensorFault{},
+                   UnmeasuredInput{}, ColouredNoiseHypothesis{}, BrokenIdentity{},
+                   SensorCalibration{}, InputSkew{}, InputInterpolation{}, ResidualFunction{},
+                   SharedProcess{}});
 }
 
 std::vector<Stage<Hypothesis>> in_order(std::vector<Stage<Hypothesis>> hypotheses) {

@@ -44,6 +44,29 @@ class SensorCalibration final : public Configured<Hypothesis, NoOptions<kSensorC
   Proposals do_propose(const Problem& problem, const CompositeModel& best) const override;
 };
 
+inline constexpr StageInfo kSensorTiming{
+    "sensor-timing", "Sensors that show their states late, in the place of what acts late", ""};
+
+/// Behind a filter, or made of means or differences of samples, a sensor shows its state late,
+/// and no skew, lag or delay of anything else is of that form. Where the best composite model has
+/// an effect that says when something acts or is sampled, filters of the channels
+/// (late_channel_forms()) are tried in the place of its effects, and beside each of those that
+/// are in the dynamics, coefficients fitted.
+///
+/// They take its place where they do better by more than the evidence that cannot distinguish
+/// two explanations. Within that, and where all channels are late by one time, which inputs that
+/// act late make as well, the one with fewer parameters leads (the dynamics, if equal), and the
+/// other is a doubt: then neither is the explanation.
+class SensorTiming final : public Configured<Hypothesis, NoOptions<kSensorTiming>> {
+ public:
+  using Configured::Configured;
+
+ private:
+  Phase do_phase() const override { return Phase::Revision; }
+  int do_order() const override { return 0; }
+  Proposals do_propose(const Problem& problem, const CompositeModel& best) const override;
+};
+
 inline constexpr StageInfo kInputSkew{
     "input-skew", "An input is recorded later than the states, by up to four sampling steps",
     ""};

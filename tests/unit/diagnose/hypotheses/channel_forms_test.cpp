@@ -59,6 +59,26 @@ TEST(ChannelForms, HaveNamesAndSentences) {
   expect_name(form_of("F", scope), 0.05, "sensor-offset", "picks up 0.05*F too much");
 }
 
+/// 1/(1 + L s + b (L s)^2) against 1 + c (1/(1 + tau s)^n - 1), both to the second power of s.
+TEST(ChannelForms, AreLateByALagOrADelay) {
+  const Scope scope = support::oscillator_scope();
+  const std::vector<Candidate> late = late_channel_forms(scope, 1);
+  ASSERT_EQ(late.size(), 2u);
+  for (const Candidate& form : late) EXPECT_TRUE(is_whole(form));
+  const auto said = [&](std::size_t filters, double coefficient) {
+    return channel_name({late[filters - 1], Vector::Constant(1, 0.07), coefficient, 0.0},
+                        scope.model);
+  };
+  EXPECT_EQ(said(1, 1.0).name, "sensor-lag");
+  EXPECT_EQ(said(2, 1.0).name, "sensor-lag");
+  EXPECT_NE(said(2, 1.0).sentence.find("0.14 s"), std::string::npos);
+  EXPECT_EQ(said(2, 9.0 / 8.0).name, "sensor-lag") << "means";
+  EXPECT_EQ(said(1, 1.5).name, "sensor-lag") << "means";
+  EXPECT_EQ(said(1, 2.0).name, "channel-skew") << "a delay of 0.14 s";
+  EXPECT_NE(said(1, 2.0).sentence.find("0.14 s"), std::string::npos);
+  EXPECT_EQ(said(2, 1.5).name, "channel-skew");
+}
+
 TEST(ChannelForms, AToneOfTheResidualsMayBeAHum) {
   Scope scope = support::oscillator_scope();
   const std::size_t without = channel_forms(scope, 1).size();

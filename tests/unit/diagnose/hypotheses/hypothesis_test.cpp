@@ -19,9 +19,9 @@ std::vector<std::string> names_of(const std::vector<Stage<Hypothesis>>& hypothes
 TEST(HypothesisOrder, PhaseComesFirstThenTheOrderInIt) {
   EXPECT_EQ(names_of(standard_hypotheses()),
             (std::vector<std::string>{
-                "named-effects", "other-choices", "sensor-fault", "sensor-calibration",
-                "shared-process", "unmeasured-input", "coloured-noise", "broken-identity",
-                "input-interpolation", "input-skew", "residual-function"}));
+                "named-effects", "other-choices", "sensor-timing", "sensor-fault",
+                "sensor-calibration", "shared-process", "unmeasured-input", "coloured-noise",
+                "broken-identity", "input-interpolation", "input-skew", "residual-function"}));
 }
 
 TEST(HypothesisOrder, DoesNotDependOnTheOrderInWhichTheyAreGiven) {

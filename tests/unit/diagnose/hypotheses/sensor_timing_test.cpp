@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: MIT
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <variant>
+
+#include "core/base/random.hpp"
+#include "diagnose/hypotheses/sensor_fault.hpp"
+#include "support/asked.hpp"
+#include "lacuna/model/files/ode_text.hpp"
+#include "support/assimilated_oscillator.hpp"
+
+namespace lacuna {
+namespace {
+
+/// F acts late.
+Candidate late_force_of_input() {
+  Candidate late = support::plain_candidate("delay(F,T)-F");
+  late.argument = parse_expression("F");
+  late.shapes = {{"T", "s", 0.01, 2.0, false}};
+  late.starts = {Vector::Constant(1, 0.1)};
+  return late;
+}
+
+/// A composite model that says an effect.
+CompositeModel that_says(const support::Asked& asked, const Candidate& candidate,
+                         const std::string& name) {
+  CompositeModel best = asked.bare();
+  const Vector shapes = candidate.starts.front();
+  best.explanation = explain_on(asked.problem(), *best.base, best.base->fitted,
+                                {{candidate, shapes, 1.0, 0.0}});
+  best.named = {{.equation = 1, .name = name, .probability = 0.9}};
+  return best;
+}
+
+/// The force as it was so long ago.
+double force_late_by(double late, double t) {
+  const auto force = [](double s) {
+    return std::sin(1.7 * s) + 0.7 * std::sin(2.9 * s + 1.0) + 0.5 * std::sin(0.6 * s);
+  };
+  return force(t - late) - force(t);
+}
+
+/// v as means of its last samples.
+Dataset with_means_of_speed(Index window) {
+  Dataset data = support::hidden_record(support::nothing, 0.0);
+  Matrix& states = data.trajectories.front().states;
+  const Vector v = states.col(1);
+  Random random(5);
+  for (Index i = 0; i < v.size(); ++i) {
+    const Index count = std::min(window, i + 1);
+    states(i, 0) += 0.005 * random.normal();
+    states(i, 1) = v.segment(i - count + 1, count).mean() + 0.01 * random.normal();
+  }
+  return data;
+}
+
+TEST(SensorTiming, ASensorThatAveragesIsNoInputThatIsLate) {
+  const support::Asked asked{.records = observed(with_means_of_speed(11))};
+  const Proposals made =
+      SensorTiming().propose(asked.problem(), that_says(asked, late_force_of_input(), "delay"));
+  ASSERT_EQ(made.composites.size(), 1u);
+  EXPECT_TRUE(std::holds_alternative<ByRule>(made.composites[0].judged));
+  const CompositeModel& composite = made.composites[0].composite;
+  ASSERT_EQ(composite.named.size(), 1u);
+  EXPECT_EQ(composite.named[0].name, "sensor-lag");
+  EXPECT_EQ(composite.named[0].equation, 1);
+  EXPECT_EQ(composite.named[0].place, Place::Channel);
+  // Means of eleven samples are late by five steps of 0.02 s.
+  const FittedEffect& sensor = composite.explanation.effects.front();
+  const auto filters = static_cast<double>(sensor.candidate.memory.size());
+  EXPECT_NEAR(filters * sensor.coefficient * sensor.shapes[0], 0.1, 0.01);
+  EXPECT_TRUE(composite.doubts.empty());
+  EXPECT_FALSE(leaves_structure(composite, asked.options.decision));
+  EXPECT_GT(composite.base->fit_options.free.size(), 0u) << "coefficients are fitted";
+}
+
+TEST(SensorTiming, AnInputThatIsLateBehindGoodSensorsStays) {
+  const support::Asked asked = support::asked(
+      [](double t, double, double) { return force_late_by(0.15, t); }, 0.005);
+  const Proposals made =
+      SensorTiming().propose(asked.problem(), that_says(asked, late_force_of_input(), "delay"));
+  EXPECT_TRUE(std::all_of(
+      made.composites.begin(), made.composites.end(), [](const Proposal& proposal) {
+        return proposal.composite.named.size() == 1 &&
+               proposal.composite.named[0].name == "delay";
+      }));
+}
+
+TEST(SensorTiming, IsNotAskedForWhereNothingIsAboutTime) {
+  const support::Asked asked = support::asked(support::dry_friction, 0.005);
+  EXPECT_TRUE(SensorTiming().propose(asked.problem(), asked.bare()).composites.empty());
+  const CompositeModel friction =
+      that_says(asked, support::plain_candidate("sign(v)"), "coulomb-friction");
+  EXPECT_TRUE(SensorTiming().propose(asked.problem(), friction).composites.empty());
+}
+
+/// One channel of a linear system: its sensor and its only input that lag are one to it.
+TEST(SensorTiming, WhereOneChannelShowsAllBothAreSaid) {
+  support::Asked asked{.records = {}, .nominal = parse_ode("input u\ndx/dt = -1.2*x + u", "")};
+  Dataset data;
+  data.states = {{"x", ""}};
+  data.inputs = {{"u", ""}};
+  Trajectory record;
+  record.source = "made";
+  record.time = Vector::LinSpaced(1501, 0.0, 30.0);
+  record.states.resize(1501, 1);
+  record.inputs.resize(1501, 1);
+  Random random(5);
+  double x = 0.0, late = 0.0;
+  constexpr double kStep = 0.02, kTau = 0.2;
+  const auto input = [](double t) { return std::sin(2.0 * t) + std::sin(0.7 * t * t / 10.0); };
+  for (Index i = 0; i < 1501; ++i) {
+    record.states(i, 0) = x + 0.002 * random.normal();
+    record.inputs(i, 0) = input(record.time[i]);
+    for (int part = 0; part < 100; ++part) {
+      const double h = kStep / 100.0, t = record.time[i] + h * (part + 0.5);
+      const double middle = late + 0.5 * h * (input(t) - late) / kTau;
+      x += h * (middle - 1.2 * x);
+      late += h * (input(t) - middle) / kTau;
+    }
+  }
+  data.trajectories = {record};
+  asked.records = observed(data);
+  Candidate lag{.form = parse_expression("lagged-u"), .argument = parse_expression("u")};
+  lag.memory = {{"lagged", parse_expression("(u-lagged)/tau"), parse_expression("u")}};
+  lag.shapes = {{"tau", asked.nominal.time_unit(), 0.01, 5.0, true}};
+  lag.starts = {Vector::Constant(1, 0.2)};
+  CompositeModel best = that_says(asked, lag, "lag");
+  best.named[0].equation = 0;
+  const Proposals made = SensorTiming().propose(asked.problem(), best);
+  ASSERT_EQ(made.composites.size(), 1u);
+  const CompositeModel& both = made.composites[0].composite;
+  EXPECT_FALSE(both.doubts.empty());
+  ASSERT_EQ(both.named.size(), 1u);
+  EXPECT_FALSE(both.named[0].alternatives.empty());
+}
+
+}  // namespace
+}  // namespace lacuna
