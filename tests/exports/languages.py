@@ -211,10 +211,17 @@ class Modelica(Pygments):
     def rates(self, model, names, formulas, point):
         space = dict(self.FUNCTIONS, num_=np.float64, v_time=np.float64(point.t))
         space.update(zip(["v_" + name for name in names], map(np.float64, point.u + point.x)))
-        try:
+        def values():
             return [float(eval(formula, {"__builtins__": {}}, space)) for formula in formulas]
+
+        try:
+            return values()
         except FloatingPointError:  # as tools of Modelica do it
-            return None
+            if not np.all(np.isfinite(point.rate)):
+                return None
+            # 1^nan is 1 and nan >= 0 is false: what is refused inside may have a number outside.
+            with np.errstate(invalid="ignore"):
+                return values()
 
     def run(self, models, folder):
         answers = {}

@@ -4,8 +4,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <numbers>
 
+#include "core/base/random.hpp"
 #include "support/asked.hpp"
 #include "support/assimilated_oscillator.hpp"
 #include "support/held_oscillator.hpp"
@@ -57,6 +59,25 @@ TEST(InputHolds, DensityIsTheChangeOfTheSlope) {
     asked.options.decision.dense_input = limit;
     EXPECT_THAT(choose_holds(asked.problem()).trail, ::testing::SizeIs(asked_holds)) << limit;
   }
+}
+
+/// Lines from each fifth sample to the next were put there by who made the record.
+TEST(InputHolds, OfAnInterpolatedInputNoneIsAsked) {
+  support::Asked asked{.records = observed(support::held_record(Hold::Zero, 1e-3))};
+  Trajectory& record = asked.records.data.trajectories.front();
+  Random random(5);
+  const Index last = record.samples() - 1;
+  for (Index i = 0; i <= last; i += 5) record.inputs(i, 0) = random.normal();
+  record.inputs(last, 0) = random.normal();
+  for (Index i = 0; i < last; ++i) {
+    const Index before = i - i % 5, after = std::min(before + 5, last);
+    const double place = static_cast<double>(i - before) / static_cast<double>(after - before);
+    record.inputs(i, 0) =
+        (1.0 - place) * record.inputs(before, 0) + place * record.inputs(after, 0);
+  }
+  const ChosenHolds found = choose_holds(asked.problem());
+  EXPECT_EQ(hold_of(found), Hold::Smooth);
+  EXPECT_LE(found.trail.size(), 1U);
 }
 
 TEST(InputHolds, WhatIsMissingDoesNotChangeThem) {

@@ -84,6 +84,33 @@ TEST(IdentifyHidden, FindsRosslerFromTwoChannels) {
   }
 }
 
+TEST(IdentifyHidden, TheStateAlongTheRecordsIsTheOneThatWasLeftOut) {
+  const OdeModel lorenz = test_system("lorenz").model;
+  const Vector start = Vector{{-8.0, -7.0, 27.0}};
+  // dx/dt = 10 y - 10 x: h is 10 y.
+  const Vector expected =
+      10.0 * measured(lorenz, start, 0.02, {0, 1, 2}, 1).trajectories[0].states.col(1);
+  const Dataset found = identified(measured(lorenz, start, 0.02, {0, 2}, 1)).data;
+  const Vector h = found.trajectories[0].states.col(2);
+  EXPECT_LT((h - expected).norm(), 0.1 * expected.norm());
+}
+
+TEST(IdentifyHidden, AMisfitIsThatOfTheTrajectoriesInUnitsOfTheNoise) {
+  // No linear model does what the Lorenz system does.
+  const Dataset data =
+      measured(test_system("lorenz").model, Vector{{-8.0, -7.0, 27.0}}, 0.02, {0, 2}, 1);
+  Pipeline pipeline = algorithm1();
+  pipeline.basis = Monomials{{.max_degree = 1}};
+  const auto result = identify_hidden(data, pipeline, FiniteDifferences{}, "h").result;
+  ASSERT_TRUE(result.fit[0].misfit.has_value());
+  EXPECT_FALSE(result.fit[0].fits_to_noise.value_or(true));
+  // The noise that measured() adds is a hundredth of the deviation of x.
+  const Vector x = data.trajectories[0].states.col(0);
+  const double noise = 0.01 * std::sqrt((x.array() - x.mean()).square().mean());
+  EXPECT_NEAR(*result.fit[0].misfit, result.noise[0] / noise, 0.3 * *result.fit[0].misfit);
+  EXPECT_GT(*result.fit[0].misfit, 3.0);
+}
+
 TEST(IdentifyHidden, ANameThatIsTakenIsAnError) {
   Dataset data =
       measured(test_system("lorenz").model, Vector{{-8.0, -7.0, 27.0}}, 0.02, {0, 2}, 1);

@@ -71,6 +71,24 @@ TEST(EquationTerms, OnlyTheyStandInTheModel) {
   }
 }
 
+TEST(EquationTerms, ABoundAdmitsWhatItsInequalityDoes) {
+  for (const auto relation : {ConstraintRelation::AtMost, ConstraintRelation::AtLeast}) {
+    Pipeline pipeline = algorithm1();
+    pipeline.constraints = {{{{"x", "x", 2.0}, {"x", "y", 3.0}}, 5.0, relation}};
+    const auto bounds = equation_libraries(linear_library(), circle(), pipeline).bounds;
+    ASSERT_EQ(bounds.size(), 1U);
+    ASSERT_EQ(bounds[0].summands.size(), 2U);
+    for (const double a : {-2.0, 0.0, 4.0})
+      for (const double b : {-1.5, 0.5, 2.0}) {
+        const bool admitted =
+            bounds[0].summands[0].factor * a + bounds[0].summands[1].factor * b <=
+            bounds[0].value;
+        const double sum = 2.0 * a + 3.0 * b;
+        EXPECT_EQ(admitted, relation == ConstraintRelation::AtMost ? sum <= 5.0 : sum >= 5.0);
+      }
+  }
+}
+
 TEST(EquationTerms, CommonTermsStandInBoth) {
   EXPECT_EQ(common_terms({0, 2, 5}, {2, 3, 5}), (TermSet{2, 5}));
 }

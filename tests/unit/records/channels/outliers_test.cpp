@@ -59,6 +59,17 @@ TEST(MarkOutliers, FindsThoseThatAreOffTogether) {
       }
 }
 
+TEST(MarkOutliers, ShortStretchesThatRecurAreMotion) {
+  // Three samples of 200 are off together, then three of 400: more and less than a hundredth.
+  for (const Index apart : {200, 400}) {
+    Dataset data = noisy(4000);
+    double off = 0.0;
+    for (Index i = 50; i + 3 < 4000; i += apart, off += 3.0)
+      data.trajectories[0].states.col(1).segment(i, 3).array() += 0.4;
+    EXPECT_EQ(marks_of(data)[0].sum(), apart == 200 ? 0.0 : off);
+  }
+}
+
 TEST(MarkOutliers, AKinkIsNone) {
   // Slopes that change between two samples, little and much beside the noise.
   for (const double slope : {0.01, 0.05, 0.2, 1.0})
@@ -68,6 +79,18 @@ TEST(MarkOutliers, AKinkIsNone) {
       for (Index i = 0; i < states.rows(); ++i)
         states(i, 0) += slope * std::abs(static_cast<double>(i) - place);
       EXPECT_EQ(marks_of(data)[0].sum(), 0.0) << slope << ", " << place;
+    }
+}
+
+TEST(MarkOutliers, TwoAtTheTipOfAKinkAreNotOffTogether) {
+  // So sharp that a cubic goes through their neighbours, and not through the two.
+  for (const double slope : {0.12, 0.14, 0.16, 0.18})
+    for (Index tip = 20; tip < 380; tip += 10) {
+      Dataset data = noisy();
+      Matrix& states = data.trajectories[0].states;
+      for (Index i = 0; i < states.rows(); ++i)
+        states(i, 0) += slope * std::abs(static_cast<double>(i - tip) - 0.5);
+      EXPECT_LT(marks_of(data)[0].col(0).segment(tip, 2).sum(), 2.0) << slope << ", " << tip;
     }
 }
 
