@@ -59,8 +59,9 @@ TEST(SensorBenches, InputsActLate) {
   EXPECT_LT((u.head(1900) - acts.segment(6, 1900)).norm(), 1e-9);
   const SensorBench lag = bench_named("thrust-actuator");
   const BenchCase behind = made_bench(lag);
-  EXPECT_NEAR(lateness(undisturbed(behind, lag).inputs.col(0), found_of(behind).inputs.col(0)),
-              8.0, 0.8);
+  // What is behind a lag tau is tau times its slope away from what is before it.
+  EXPECT_NEAR(
+      -lateness(found_of(behind).inputs.col(0), undisturbed(behind, lag).inputs.col(0)), 8.0, 0.8);
 }
 
 TEST(SensorBenches, HaveNamesOfTheirOwn) {

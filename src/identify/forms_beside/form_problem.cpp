@@ -352,9 +352,10 @@ Matrix FormProblem::rated(const std::vector<Beside>& equations,
   // A fact of the machines: columns in memory at a time.
   constexpr std::size_t kColumnsTogether = 32;
   std::vector<RatedBase> bases;
-  for (const Beside& beside : equations)
-    bases.emplace_back(beside,
-                       BaseColumns(columns(beside.equation), rows_.target(beside.equation.equation)));
+  for (const Beside& beside : equations) {
+    const EquationForms& equation = beside.equation;
+    bases.emplace_back(beside, BaseColumns(columns(equation), rows_.target(equation.equation)));
+  }
   Matrix left(static_cast<Index>(starts.size()), static_cast<Index>(equations.size()));
   const std::size_t chunks = (starts.size() + kColumnsTogether - 1) / kColumnsTogether;
   parallel_for(chunks, context_.threads, [&](std::size_t chunk) {

@@ -197,8 +197,9 @@ EquationForms FormSearch::with_fewer_terms(EquationForms equation,
   const double takes = problem_->options().takes;
   // Beside the whole library little lacks: there any form may be the one. What stands alone is
   // tried in the place of the equation's terms.
-  const std::vector<Beside> bases{
-      {equation, most, 0, takes, limit.left}, {linear, most, 1, takes, limit.left}, {whole, most, 1}};
+  const std::vector<Beside> bases{{equation, most, 0, takes, limit.left},
+                                  {linear, most, 1, takes, limit.left},
+                                  {whole, most, 1}};
   const Matrix rated = problem_->rated(bases, starts);
   std::vector<Start> chosen_starts;  ///< with which terms of the library were chosen already
   for (std::size_t b = 0; b < bases.size(); ++b) {

@@ -50,7 +50,7 @@ class RadauFlow {
 
   /// So many systems of stages are solved from now on at most; then no step can be made.
   void allow(long solutions) { allowed_ = solutions; }
-  long allowed() const { return allowed_; }  ///< what is left of them
+  long allowed() const { return allowed_; }  ///< how many more there may be
 
   /// Goes from t0 to t1, between which the signals are smooth.
   /// @param sensitivity nothing, or m x m, or m x (m + P): derivatives of the state by what

@@ -38,30 +38,6 @@ std::vector<Index> places_in_sums(const NoiseModel& noise,
   return places;
 }
 
-/// A step and the gradients between which it was made.
-struct StepTaken {
-  Vector step, before, after;
-};
-
-/// Whether a deviance falls with the square of a deviation as it did before the last step, and a
-/// line through both slopes says the same of 0: it goes there, where steps in the logarithm would
-/// follow for long.
-bool vanishes(const StepTaken& last, Index e) {
-  // A fact of the search: nearer a minimum it falls less, far from one it curves.
-  constexpr double kSameSlope = 0.15;
-  if (!(last.step[e] < 0.0 && last.before[e] > 0.0)) return false;
-  const double square = std::exp(2.0 * last.step[e]);  // now, over what it was
-  const double change = last.after[e] / square - last.before[e];
-  const double at_zero = change * square / (1.0 - square);  // further on to 0
-  return std::max(std::abs(change), std::abs(at_zero)) < kSameSlope * last.before[e];
-}
-
-/// Whether samples are known to be between limits, where the filter matches moments.
-bool matches_moments(const LinearisedData& data, const NoiseModel& noise) {
-  return !data.omitted.empty() || std::any_of(noise.lattice.begin(), noise.lattice.end(),
-                                              [](double spacing) { return spacing > 0.0; });
-}
-
 }  // namespace
 
 void VarianceFit::set_white_moves(bool moves) { white_moves_ = moves; }
@@ -144,34 +120,31 @@ void VarianceFit::begin_with(const SmoothedNoise& start) {
 SmoothedNoise VarianceFit::run(const LinearisedData& data, const NoiseModel& start,
                                int iterations) {
   constexpr double kLongestStep = 1.5;  // of a step in a logarithm: a factor of 4.5
-  constexpr double kVanished = 0.1;     // a fact of the search: a gradient beside its zero
+  constexpr double kSameStep = 0.01;    // a fact of the search: it would find the same again
   if (std::vector<NoiseEntry> entries = entries_of(start); entries != known_.entries)
     known_ = {std::move(entries), Matrix()};
   SmoothedNoise best = at(data, start);
   const auto count = static_cast<Index>(known_.entries.size());
   begin_with(best);
-  const bool matched = matches_moments(data, start);
-  std::optional<StepTaken> last;
+  std::optional<Vector> refused;  ///< the last step from here, that did not help
   for (int iteration = 0; iteration < iterations && count > 0; ++iteration) {
     Vector step = -known_.inverse * best.gradient;
     if (!step.allFinite() || -0.5 * step.dot(best.gradient) < kUnnoticed) break;
-    for (Index e = 0; last && e < count; ++e)
-      if (vanishes(*last, e)) step[e] = std::min(step[e], -kLongestStep);
+    // Where the filter matches moments the gradient vanishes beside the least deviance, and what
+    // is learnt leads there again.
+    if (refused && (step - *refused).norm() <= kSameStep * refused->norm()) break;
+    refused = step;
     const double longest = step.cwiseAbs().maxCoeff();
     if (longest > kLongestStep) step *= kLongestStep / longest;
     SmoothedNoise next = at(data, moved(best.noise, step));
     const bool better = next.deviance < best.deviance;
     const bool learnt = learn(step, next.gradient - best.gradient);
     if (better) {
-      last = {step, best.gradient, next.gradient};
       best = std::move(next);
-      continue;
+      refused.reset();
+    } else if (!learnt) {
+      known_.inverse *= 0.25;
     }
-    // Where moments are matched the gradient vanishes beside the least deviance: further steps
-    // would lead there again.
-    if (matched && next.gradient.norm() < kVanished * best.gradient.norm()) break;
-    last.reset();
-    if (!learnt) known_.inverse *= 0.25;
   }
   return best;
 }

@@ -114,15 +114,6 @@ TEST(VarianceFit, SamplesAtAnEndBiasNoNoise) {
   EXPECT_NEAR(*found.noise.measurement[1], 0.02, 0.002);
 }
 
-TEST(VarianceFit, WhatDoesNotDisturbIsFoundToBeNothingInFewSteps) {
-  const VarianceCase made = make_variance_case(support::nothing);
-  const Vector floor = Vector::Constant(2, 1e-9);
-  const SmoothedNoise found = VarianceFit(floor).run(made.view(), noise_of(0.015, 0.05), 12);
-  NoiseModel least = found.noise;
-  for (double& disturbance = least.disturbance[1]; disturbance > 1e-9; disturbance *= 0.7)
-    EXPECT_GT(deviance_of(made, least), found.deviance - 0.1) << disturbance;
-}
-
 TEST(VarianceFit, OnALatticeItEndsWhereFurtherStepsLeadNowhere) {
   VarianceCase made = make_variance_case(support::nothing);
   const double lattice = 0.05;
