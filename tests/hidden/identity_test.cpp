@@ -11,6 +11,7 @@
 
 #include "hidden/support/null_benches.hpp"
 #include "hidden/support/score.hpp"
+#include "hidden/support/sensor_benches.hpp"
 #include "hidden/support/twins.hpp"
 #include "lacuna/cli/configuration/registry.hpp"
 #include "lacuna/diagnose/journey/diagnose.hpp"
@@ -19,16 +20,6 @@ namespace lacuna::hidden {
 namespace {
 
 constexpr Index kPosition = 0, kSpeed = 1;
-
-/// Means of the last samples; of the first samples means of those that there are.
-Vector averaged(const Vector& x, Index window) {
-  Vector result(x.size());
-  for (Index i = 0; i < x.size(); ++i) {
-    const Index count = std::min(window, i + 1);
-    result[i] = x.segment(i - count + 1, count).mean();
-  }
-  return result;
-}
 
 /// Each value so many samples later, halves between two.
 Vector late(const Vector& x, double samples) {
@@ -65,11 +56,11 @@ void replace(Trajectory& record, const Vector& values) {
 const std::vector<SensorCase>& sensor_cases() {
   static const std::vector<SensorCase> all{
       {"position_averaged_over_12",
-       [](Trajectory& r) { replace<kPosition>(r, averaged(r.states.col(kPosition), 12)); }},
+       [](Trajectory& r) { replace<kPosition>(r, mean_of_last(r.states.col(kPosition), 12)); }},
       {"position_averaged_over_5",
-       [](Trajectory& r) { replace<kPosition>(r, averaged(r.states.col(kPosition), 5)); }},
+       [](Trajectory& r) { replace<kPosition>(r, mean_of_last(r.states.col(kPosition), 5)); }},
       {"speed_averaged_over_8",
-       [](Trajectory& r) { replace<kSpeed>(r, averaged(r.states.col(kSpeed), 8)); }},
+       [](Trajectory& r) { replace<kSpeed>(r, mean_of_last(r.states.col(kSpeed), 8)); }},
       {"position_late",
        [](Trajectory& r) { replace<kPosition>(r, late(r.states.col(kPosition), 2.5)); }},
       {"position_of_a_slower_sensor",

@@ -197,10 +197,10 @@ class SensorSearch {
   }
 
   /// Whether a fit was found in which all sensors show the whole of their states, late (one that
-  /// leads follows the noise of its samples): coefficients from less than 1,
-  /// where a part passes at once, up to 2, where the value leads before it lags as a delay does.
+  /// leads follows the noise of its samples): coefficients from 1, below which a part passes at
+  /// once, up to 2, where the value leads before it lags as a delay does.
   bool is_late(const LateSensors& found) const {
-    constexpr double kDelay = 2.0;
+    constexpr double kDelay = 2.0;  // a fact: of a filter, to second order in the frequency
     const double gain = problem_.options.decision.filter_gain;
     if (!std::isfinite(found.criterion)) return false;
     return std::all_of(found.explanation.effects.begin(),

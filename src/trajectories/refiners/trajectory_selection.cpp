@@ -215,13 +215,10 @@ struct Searches {
   bool is_cut = false;                 ///< by the deadline: longer windows were not tried
 };
 
-bool have_same_terms(const WindowFit& one, const WindowFit& other) {
-  return ((one.coefficients.array() != 0.0) == (other.coefficients.array() != 0.0)).all();
-}
-
 /// Searches of the same structure in the same windows will not part any more.
 void drop_when_agreed(Searches& searches) {
-  if (searches.second && have_same_terms(searches.second->fit, searches.first.fit))
+  const Matrix& found = searches.first.fit.coefficients;
+  if (searches.second && have_same_terms(searches.second->fit.coefficients, found))
     searches.second.reset();
 }
 

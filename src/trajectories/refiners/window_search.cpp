@@ -61,11 +61,6 @@ Index samples_in_windows(const SearchTask& task, const WindowSearch& search, Ind
                                   std::max(search.most, kFewestWindows * samples));
 }
 
-/// Whether two models have the same terms.
-bool have_same_terms(const Matrix& coefficients, const Matrix& others) {
-  return ((coefficients.array() != 0.0) == (others.array() != 0.0)).all();
-}
-
 /// Fits windows of so many samples.
 /// @param rounds of choices at most.
 void fit_windows(const SearchTask& task, WindowSearch& search, const Matrix& coefficients,
@@ -128,7 +123,8 @@ bool has_windows(const SearchTask& task, const WindowSearch& search, Index sampl
 /// Windows four times as long, where the terms have stayed in the last ones: most often they
 /// stay again, and one choice shows it. @return whether they do and fit no worse.
 bool leap(const SearchTask& task, WindowSearch& search, const RunContext& context) {
-  const Index samples = 4 * search.fit.samples;
+  constexpr Index kLeap = 4;  // a fact of the search: what does not settle goes on by twice
+  const Index samples = kLeap * search.fit.samples;
   if (!search.leaps || !search.fit.kept_terms || !has_windows(task, search, samples))
     return false;
   WindowSearch longer = search;
@@ -171,6 +167,10 @@ Linearisation linearise_all(WindowSearch& search, const RunContext& context) {
 }
 
 }  // namespace
+
+bool have_same_terms(const Matrix& coefficients, const Matrix& others) {
+  return ((coefficients.array() != 0.0) == (others.array() != 0.0)).all();
+}
 
 Index first_window(const Dataset& data, int threads, const std::optional<Vector>& noise) {
   const TestFunction function = choose_test_function(measured_part(data), {}, threads,

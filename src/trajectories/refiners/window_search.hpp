@@ -26,6 +26,9 @@ struct SearchTask {
   std::vector<CoefficientConstraint> constraints = {};
 };
 
+/// Whether two models, m x L each, have the same terms.
+bool have_same_terms(const Matrix& coefficients, const Matrix& others);
+
 /// Samples of the first windows: half the support of a test function, which is the time in
 /// which a signal does what can be distinguished from its noise; at least so many that initial
 /// states leave half of the samples.

@@ -126,6 +126,7 @@ SmoothedNoise VarianceFit::run(const LinearisedData& data, const NoiseModel& sta
   SmoothedNoise best = at(data, start);
   const auto count = static_cast<Index>(known_.entries.size());
   begin_with(best);
+  int runs = 1;
   std::optional<Vector> refused;  ///< the last step from here, that did not help
   for (int iteration = 0; iteration < iterations && count > 0; ++iteration) {
     Vector step = -known_.inverse * best.gradient;
@@ -137,6 +138,7 @@ SmoothedNoise VarianceFit::run(const LinearisedData& data, const NoiseModel& sta
     const double longest = step.cwiseAbs().maxCoeff();
     if (longest > kLongestStep) step *= kLongestStep / longest;
     SmoothedNoise next = at(data, moved(best.noise, step));
+    ++runs;
     const bool better = next.deviance < best.deviance;
     const bool learnt = learn(step, next.gradient - best.gradient);
     if (better) {
@@ -146,6 +148,7 @@ SmoothedNoise VarianceFit::run(const LinearisedData& data, const NoiseModel& sta
       known_.inverse *= 0.25;
     }
   }
+  best.runs = runs;
   return best;
 }
 

@@ -22,6 +22,7 @@ struct SmoothedNoise {
   Vector gradient;  ///< of the deviance with the log of each standard deviation in play
   Vector weight;    ///< samples that determine each
   std::vector<SmoothedRecord> records;
+  int runs = 0;  ///< of the smoother over the records, until it was found
 };
 
 /// Minimises the deviance over the logarithms of the standard deviations of disturbances,

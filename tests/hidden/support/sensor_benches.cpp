@@ -35,15 +35,6 @@ Vector first_order(const Vector& x, double samples) {
   return y;
 }
 
-Vector mean_of_last(const Vector& x, Index window) {
-  Vector y(x.size());
-  for (Index i = 0; i < x.size(); ++i) {
-    const Index count = std::min(window, i + 1);
-    y[i] = x.segment(i - count + 1, count).mean();
-  }
-  return y;
-}
-
 /// Behind a filter of first order.
 Change filtered(Index channel, double samples) {
   return [=](Trajectory& record) {
@@ -205,6 +196,15 @@ HiddenCase case_of(const Setup& setup, std::uint64_t seed) {
 }
 
 }  // namespace
+
+Vector mean_of_last(const Vector& x, Index window) {
+  Vector y(x.size());
+  for (Index i = 0; i < x.size(); ++i) {
+    const Index count = std::min(window, i + 1);
+    y[i] = x.segment(i - count + 1, count).mean();
+  }
+  return y;
+}
 
 std::vector<SensorBench> all_sensor_benches() {
   std::vector<SensorBench> benches;

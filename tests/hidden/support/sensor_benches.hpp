@@ -22,6 +22,9 @@ struct SensorBench {
   std::uint64_t seed = 0;  ///< decides the numbers of the device
 };
 
+/// Means of the last samples; of the first samples means of those that there are.
+Vector mean_of_last(const Vector& x, Index window);
+
 /// All of them. Where none of the input is late ("...-null"), only faults of sensors are names.
 std::vector<SensorBench> all_sensor_benches();
 

@@ -213,6 +213,21 @@ TEST(FormProblem, TriesEachCandidateAndPutsTheBestFirst) {
   EXPECT_LT(trials[0].left, trials[1].left);
 }
 
+TEST(FormProblem, TriesOnlyWhatMayComeToWhatIsWanted) {
+  const FormProblem problem(decay(), Vector::Zero(1), {});
+  const EquationForms constant{0, {problem.linear_terms()[0]}, {}};
+  const std::vector<Candidate> candidates{form_of_x("exp(x)"), form_of_x("sin(x)")};
+  const std::vector<Trial> all = problem.with_each(constant, candidates);
+  ASSERT_EQ(all.size(), 2u);
+  // A fraction that one of them takes, and the other does not.
+  const double bare = problem.left(constant);
+  const double between = 1.0 - 0.5 * (all[0].left + all[1].left) / bare;
+  const FormProblem choosy(decay(), Vector::Zero(1), {.takes = between});
+  const std::vector<Trial> some = choosy.with_each(constant, candidates, 1e-12 * bare);
+  ASSERT_EQ(some.size(), 1u);
+  EXPECT_EQ(some[0].equation.forms[0].expression().to_string(), "sin(x)");
+}
+
 TEST(FormProblem, AShapeWithARangeOfOneValueKeepsIt) {
   const FormProblem problem(decay(), Vector::Zero(1), {});
   Candidate narrow = form_of_x("x/(a+x)");

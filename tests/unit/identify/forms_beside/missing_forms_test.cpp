@@ -52,6 +52,18 @@ TEST(FormSearch, FindsAFormWithItsShape) {
   EXPECT_NEAR(found.forms[0].shapes[0], 0.7, 1e-4);
 }
 
+TEST(FormSearch, TakesInNothingThatLeavesMoreThanAsked) {
+  const Oscillator c("x/(1+x^2/0.49)", 0.01);
+  const FormSearch search(c.data, c.sigma);
+  const EquationForms any = search.with_missing_forms(c.bare(), c.candidates(), 1);
+  ASSERT_EQ(any.forms.size(), 1u);
+  const double fraction = std::sqrt(search.left(any) / search.left(c.bare()));
+  EXPECT_EQ(search.with_missing_forms(c.bare(), c.candidates(), 1, 1.5 * fraction).forms.size(),
+            1u);
+  EXPECT_TRUE(
+      search.with_missing_forms(c.bare(), c.candidates(), 1, 0.1 * fraction).forms.empty());
+}
+
 TEST(FormSearch, TakesNothingInWhereOnlyNoiseIsLeft) {
   const Oscillator c("x", 0.01);
   const FormSearch search(c.data, c.sigma);

@@ -12,6 +12,7 @@
 #include "lacuna/dynamics/test_systems/measurement.hpp"
 #include "support/noisy_records.hpp"
 #include "trajectories/shooting/shooting_fit.hpp"
+#include "trajectories/refiners/window_resolution.hpp"
 #include "trajectories/subset_selection/subset_search.hpp"
 
 namespace lacuna {
@@ -150,6 +151,30 @@ TEST(WindowSearch, LeapsWhereTermsStayAndComesToTheSame) {
   EXPECT_EQ(leaps.search.fit.subset, steps.search.fit.subset);
   EXPECT_LT((leaps.search.fit.coefficients - steps.search.fit.coefficients).cwiseAbs().maxCoeff(),
             1e-4);
+}
+
+TEST(WindowSearch, StepsAreTestedWhereTheLastTestWasNotPassedByFar) {
+  SearchCase c(test_system("van-der-pol").model, noisy_record("van-der-pol", 300, 0.02, 1));
+  ASSERT_EQ(c.search.steps.samples, c.search.fit.samples) << "the shortest windows are tested";
+  EXPECT_FALSE(asks_for_a_step_test(c.search)) << "in windows as long as they were";
+  c.search.fit.samples *= 2;
+  c.search.steps.moved = 0.02;
+  EXPECT_TRUE(asks_for_a_step_test(c.search));
+  c.search.steps.moved = 0.005;
+  EXPECT_FALSE(asks_for_a_step_test(c.search));
+  c.search.steps = {};
+  EXPECT_TRUE(asks_for_a_step_test(c.search)) << "none was made";
+}
+
+TEST(WindowSearch, StepsAreTestedOnceInTheLongestWindows) {
+  SearchCase c(test_system("van-der-pol").model, noisy_record("van-der-pol", 300, 0.02, 1));
+  c.search.steps = {0.001, c.search.fit.samples / 2};  // passed by far, in shorter windows
+  check_steps(c.task, c.search, kNoLimits);
+  EXPECT_EQ(c.search.steps.samples, c.search.fit.samples);
+  EXPECT_NE(c.search.steps.moved, 0.001);
+  c.search.steps.moved = 0.001;
+  check_steps(c.task, c.search, kNoLimits);
+  EXPECT_EQ(c.search.steps.moved, 0.001);
 }
 
 TEST(WindowSearch, WindowsEndWithTheRecord) {

@@ -125,6 +125,7 @@ TEST(VarianceFit, OnALatticeItEndsWhereFurtherStepsLeadNowhere) {
   const SmoothedNoise few = VarianceFit(floor).run(made.view(), start, 20);
   const SmoothedNoise many = VarianceFit(floor).run(made.view(), start, 200);
   EXPECT_EQ(few.deviance, many.deviance);
+  EXPECT_LT(many.runs, 60) << "a step that was refused is not tried until the end";
   for (const double factor : {0.8, 1.25}) {
     NoiseModel other = few.noise;
     *other.measurement[0] *= factor;
