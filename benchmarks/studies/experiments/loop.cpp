@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/base/random.hpp"
+#include "core/base/text.hpp"
 #include "lacuna/core/statistics/interval.hpp"
 #include "lacuna/data/derivatives/finite_differences.hpp"
 #include "lacuna/model/files/ode_text.hpp"
@@ -17,15 +18,23 @@
 namespace lacuna::benchmarks {
 namespace {
 
-constexpr double kNoise = 0.01;     // of the deviation of the old record
+constexpr double kNoise = 0.01;     // of the deviation where the input takes its whole range
 constexpr double kOff = 0.2;        // of true parameters, their logarithm
 constexpr double kUnknown = 1e-6;   // noise that choose_steps() goes by before it is known
 
-PlanProblem problem_of(const RivalCase& rivals, double noise) {
+/// A model's text with a number in the place of "@".
+std::string starting_at(std::string text, double rest) {
+  for (std::size_t at; (at = text.find('@')) != std::string::npos;)
+    text.replace(at, 1, format_number(rest));
+  return text;
+}
+
+PlanProblem problem_of(const RivalCase& rivals, double rest, double noise) {
   PlanProblem problem;
   for (std::size_t i = 0; i < rivals.models.size(); ++i)
-    problem.models.push_back(
-        {"m" + std::to_string(i + 1), parse_ode_system(rivals.models[i], rivals.name)});
+    problem.models.push_back({"m" + std::to_string(i + 1),
+                              parse_ode_system(starting_at(rivals.models[i], rest),
+                                               rivals.name)});
   problem.inputs = {{"u", rivals.low, rivals.high, {}, 4.0 * rivals.step, {}, 8}};
   problem.channels = {{"y", noise}};
   problem.duration = rivals.duration;
@@ -45,18 +54,84 @@ struct Plant {
   Vector parameters;
 };
 
+/// @param off logarithms of the true parameters over those of the model.
+Plant plant_of(const PlanProblem& problem, std::size_t right, const Vector& off) {
+  Plant plant{model_run(problem.models[right], problem), {}};
+  plant.parameters = plant.run.values.array() * off.array().exp();
+  return plant;
+}
+
 Vector measure(Plant& plant, const Experiment& experiment) {
   choose_steps(plant.run, {experiment});
   load(plant.run, experiment);
   return predict(plant.run, experiment, {plant.parameters, {}}).channels.col(0);
 }
 
-Experiment old_experiment(const RivalCase& rivals) {
-  PlanProblem problem = problem_of(rivals, 1.0);
-  problem.inputs[0].pieces = static_cast<int>(rivals.old_steps.size());
-  return experiment_with(
-      problem, InputFamily::Steps,
-      Eigen::Map<const Vector>(rivals.old_steps.data(), problem.inputs[0].pieces));
+/// A record of everyday: a few small steps about the working point.
+Experiment old_experiment(PlanProblem problem) {
+  const Vector levels{{0.5, 0.55, 0.45, 0.5}};
+  problem.inputs[0].pieces = static_cast<int>(levels.size());
+  return experiment_with(problem, InputFamily::Steps, levels);
+}
+
+/// y where the middle of u's range has held the plant for long.
+double value_at_rest(PlanProblem problem, std::size_t right, const Vector& off) {
+  constexpr double kLong = 40.0;  // durations
+  problem.duration *= kLong;
+  problem.inputs[0].pieces = 1;
+  Plant plant = plant_of(problem, right, off);
+  const Experiment held = experiment_with(problem, InputFamily::Steps, Vector{{0.5}});
+  const Vector y = measure(plant, held);
+  return y[y.size() - 1];
+}
+
+double least_power(const Plan& plan) {
+  double least = 1.0;
+  for (const PairPromise& pair : plan.pairs) least = std::min(least, pair.power);
+  return least;
+}
+
+/// A plan with the problem that it is for.
+struct BudgetedPlan {
+  PlanProblem problem;
+  Plan plan;
+};
+
+/// The plan of the shortest run that decides with the probability that is asked for, else of
+/// the longest: durations in equal ratios, of which longer ones do more.
+BudgetedPlan cheapest_plan(const PlanProblem& problem, const RunContext& context) {
+  constexpr double kRatio = 0.8, kPower = 0.95, kFewest = 20.0;  // samples
+  const auto with_ratios = [&](int count) {
+    BudgetedPlan made{problem, {}};
+    made.problem.duration =
+        problem.step *
+        std::round(std::pow(kRatio, count) * problem.duration / problem.step);
+    made.plan = plan_experiment(made.problem, {}, context);
+    return made;
+  };
+  int enough = 0, shortest = static_cast<int>(std::log(kFewest * problem.step /
+                                                       problem.duration) /
+                                              std::log(kRatio));
+  BudgetedPlan best = with_ratios(0);
+  if (!(least_power(best.plan) > kPower)) return best;
+  while (enough < shortest) {
+    const int middle = (enough + shortest + 1) / 2;
+    BudgetedPlan tried = with_ratios(middle);
+    if (!(least_power(tried.plan) > kPower)) {
+      shortest = middle - 1;
+      continue;
+    }
+    enough = middle;
+    best = std::move(tried);
+  }
+  return best;
+}
+
+/// Steps over the whole range: what the sensor is chosen for.
+Experiment whole_range(const PlanProblem& problem) {
+  Vector levels(problem.inputs[0].pieces);
+  for (Index i = 0; i < levels.size(); ++i) levels[i] = i % 2 == 0 ? 0.0 : 1.0;
+  return experiment_with(problem, InputFamily::Steps, levels);
 }
 
 Dataset dataset_of(const Experiment& experiment, const Vector& y) {
@@ -110,6 +185,17 @@ std::vector<Experiment> standard_experiments(const PlanProblem& problem, Random&
           experiment_with(problem, InputFamily::Multisine, sines)};
 }
 
+/// The old experiment again, for as long as a planned one.
+Experiment first_part(Experiment experiment, double duration) {
+  constexpr double kRounding = 1e-9;
+  const auto n = static_cast<Index>(
+      (experiment.time.array() <= duration * (1.0 + kRounding)).count());
+  experiment.time.conservativeResize(n);
+  experiment.inputs.conservativeResize(n, Eigen::NoChange);
+  experiment.measured.conservativeResize(n, Eigen::NoChange);
+  return experiment;
+}
+
 /// Widths and coverage of the intervals of the right model's numbers.
 void compare_intervals(const Plan& plan, const PlanModel& model, const Refit& refitted,
                        const Matrix& known, const Vector& truth, LoopOutcome& outcome) {
@@ -133,14 +219,16 @@ void compare_intervals(const Plan& plan, const PlanModel& model, const Refit& re
 
 LoopOutcome go_round(const RivalCase& rivals, std::uint64_t draw) {
   Random random(draw * 7919 + 17);
-  PlanProblem problem = problem_of(rivals, kUnknown);
-  const std::size_t right = draw % problem.models.size();
-  Plant plant{model_run(problem.models[right], problem), {}};
-  plant.parameters = plant.run.values;
-  for (double& value : plant.parameters) value *= std::exp(kOff * random.uniform(-1.0, 1.0));
-  const Experiment old = old_experiment(rivals);
+  const std::size_t right = draw % rivals.models.size();
+  PlanProblem problem = problem_of(rivals, 1.0, kUnknown);
+  Vector off(model_run(problem.models[right], problem).values.size());
+  for (double& value : off) value = kOff * random.uniform(-1.0, 1.0);
+  problem = problem_of(rivals, value_at_rest(problem, right, off), kUnknown);
+  Plant plant = plant_of(problem, right, off);
+  const Experiment old = old_experiment(problem);
   const Vector clean = measure(plant, old);
-  const double noise = kNoise * std::sqrt((clean.array() - clean.mean()).square().mean());
+  const Vector whole = measure(plant, whole_range(problem));
+  const double noise = kNoise * std::sqrt((whole.array() - whole.mean()).square().mean());
   const std::vector<double> logs =
       fit_old(dataset_of(old, with_noise(clean, noise, random)), problem);
   problem.channels[0].noise = noise;
@@ -149,13 +237,14 @@ LoopOutcome go_round(const RivalCase& rivals, std::uint64_t draw) {
   RunContext context;
   context.seed = draw + 1;
   const auto begin = std::chrono::steady_clock::now();
-  const Plan plan = plan_experiment(problem, {}, context);
+  auto [budgeted, plan] = cheapest_plan(problem, context);
+  problem = std::move(budgeted);
   outcome.seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   std::vector<Experiment> experiments{plan.runs.at(0).experiment};
   for (Experiment& one : standard_experiments(problem, random))
     experiments.push_back(std::move(one));
-  experiments.push_back(old);
+  experiments.push_back(first_part(old, problem.duration));
   for (std::size_t e = 0; e < experiments.size(); ++e) {
     const Vector values =
         with_noise(measure(plant, experiments[e]), noise, random) / noise;

@@ -8,15 +8,13 @@
 namespace lacuna::benchmarks {
 
 /// Models of one plant; each of them may be the right one. All have an input u and a measured
-/// channel y.
+/// channel y. Runs begin at rest, with u in the middle of its range.
 struct RivalCase {
   std::string name;
-  std::vector<std::string> models;  ///< texts (.ode), two or three
+  std::vector<std::string> models;  ///< texts (.ode), two or three; @: y at rest
   double low = -1.0, high = 1.0;    ///< range of u
-  double duration = 10.0;           ///< of a run, old and new
+  double duration = 10.0;           ///< of the old record, and the most of a new one
   double step = 0.05;
-  /// Steps of the old record, as fractions of the range.
-  std::vector<double> old_steps = {0.5, 0.6, 0.55};
 };
 
 /// The cases, in their order.
