@@ -3,6 +3,7 @@
 // language that are not ours, and what is computed there is what is computed here.
 #include <gtest/gtest.h>
 
+#include <cfenv>
 #include <cmath>
 #include <filesystem>
 #include <nlohmann/json.hpp>
@@ -32,16 +33,27 @@ nlohmann::json as_texts(const Vector& values) {
   return texts;
 }
 
-/// Sum of the sizes of an equation's terms, from which rounding errors are measured, and how
-/// much the rate moves with the last digits of what goes in.
-Vector uncertainty(const OdeModel& model, double t, const Vector& x, const Vector& u,
-                   const Vector& rate) {
+Vector rates_of(const OdeModel& model, double t, const Vector& x, const Vector& u) {
+  Vector rate(static_cast<Index>(model.equations().size()));
+  model.compile().evaluate(t, x.data(), u.data(), nullptr, rate.data());
+  return rate;
+}
+
+/// Whether something on the way is a number over 0, which has other values elsewhere.
+bool divides_by_zero(const OdeModel& model, double t, const Vector& x, const Vector& u) {
+  std::feclearexcept(FE_DIVBYZERO);
+  rates_of(model, t, x, u);
+  return std::fetestexcept(FE_DIVBYZERO) != 0;
+}
+
+/// How much the rates move with the last digits of the time, a state or an input, over these
+/// digits.
+Vector moved_by_digits(const OdeModel& model, double t, const Vector& x, const Vector& u,
+                       const Vector& rate) {
   constexpr double kMove = 1e-12;
-  Vector size = rate.cwiseAbs();
+  Vector size = Vector::Zero(rate.size());
   const auto add_change = [&](double moved_t, const Vector& moved_x, const Vector& moved_u) {
-    Vector moved(rate.size());
-    model.compile().evaluate(moved_t, moved_x.data(), moved_u.data(), nullptr, moved.data());
-    size += (moved - rate).cwiseAbs() / kMove;
+    size += (rates_of(model, moved_t, moved_x, moved_u) - rate).cwiseAbs() / kMove;
   };
   add_change(t * (1.0 + kMove), x, u);
   for (Index k = 0; k < x.size(); ++k) {
@@ -54,13 +66,36 @@ Vector uncertainty(const OdeModel& model, double t, const Vector& x, const Vecto
     moved[k] *= 1.0 + kMove;
     add_change(t, x, moved);
   }
+  return size;
+}
+
+/// How much the rates move when what is computed on the way is rounded the other way, ten times
+/// that over the tolerance of the comparison: numbers in a formula may be written as sums.
+Vector moved_by_rounding(const OdeModel& model, double t, const Vector& x, const Vector& u,
+                         const Vector& rate) {
+  constexpr double kTolerance = 1e-12, kTimes = 10.0;
+  Vector size = Vector::Zero(rate.size());
+  for (const int direction : {FE_UPWARD, FE_DOWNWARD}) {
+    std::fesetround(direction);
+    const Vector moved = rates_of(model, t, x, u);
+    std::fesetround(FE_TONEAREST);
+    size += (moved - rate).cwiseAbs() * (kTimes / kTolerance);
+  }
+  return size;
+}
+
+/// What rounding errors are measured from: the sizes of the terms of an equation, and how much
+/// it moves with the last digits of what goes in and what is computed on the way.
+Vector uncertainty(const OdeModel& model, double t, const Vector& x, const Vector& u,
+                   const Vector& rate) {
+  Vector size = rate.cwiseAbs() + moved_by_digits(model, t, x, u, rate) +
+                moved_by_rounding(model, t, x, u, rate);
   for (std::size_t k = 0; k < model.equations().size(); ++k)
     for (const WeightedTerm& summand : model.equations()[k]) {
       std::vector<Equation> one(model.equations().size());
       one[k] = {summand};
-      Vector part(rate.size());
-      model.with_equations(one).compile().evaluate(t, x.data(), u.data(), nullptr, part.data());
-      size[static_cast<Index>(k)] += std::abs(part[static_cast<Index>(k)]);
+      const auto row = static_cast<Index>(k);
+      size[row] += std::abs(rates_of(model.with_equations(one), t, x, u)[row]);
     }
   return size;
 }
@@ -72,12 +107,12 @@ nlohmann::json points(const OdeModel& model, Random& random) {
     Vector x(model.dimension()), u(static_cast<Index>(model.inputs().size()));
     for (double& value : x) value = random.uniform(-2.0, 2.0);
     for (double& value : u) value = random.uniform(-2.0, 2.0);
-    Vector rate(model.dimension());
-    model.compile().evaluate(t, x.data(), u.data(), nullptr, rate.data());
+    const Vector rate = rates_of(model, t, x, u);
     list.push_back({{"t", format_number(t)},
                     {"x", as_texts(x)},
                     {"u", as_texts(u)},
                     {"rate", as_texts(rate)},
+                    {"divides_by_zero", divides_by_zero(model, t, x, u)},
                     {"size", as_texts(uncertainty(model, t, x, u, rate))}});
   }
   return list;

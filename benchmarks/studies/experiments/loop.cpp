@@ -4,6 +4,7 @@
 #include <Eigen/LU>
 #include <chrono>
 #include <cmath>
+#include <optional>
 
 #include "core/base/random.hpp"
 #include "core/base/text.hpp"
@@ -48,23 +49,23 @@ Experiment experiment_with(PlanProblem problem, InputFamily family, const Vector
   return experiment_of(problem, {{family}}, design);
 }
 
-/// The plant: the right model with its true parameters.
+/// The right model with its true parameters.
 struct Plant {
-  ModelRun run;
+  std::optional<ModelRun> run;
   Vector parameters;
 };
 
 /// @param off logarithms of the true parameters over those of the model.
 Plant plant_of(const PlanProblem& problem, std::size_t right, const Vector& off) {
   Plant plant{model_run(problem.models[right], problem), {}};
-  plant.parameters = plant.run.values.array() * off.array().exp();
+  plant.parameters = plant.run->values.array() * off.array().exp();
   return plant;
 }
 
 Vector measure(Plant& plant, const Experiment& experiment) {
-  choose_steps(plant.run, {experiment});
-  load(plant.run, experiment);
-  return predict(plant.run, experiment, {plant.parameters, {}}).channels.col(0);
+  choose_steps(*plant.run, {experiment});
+  load(*plant.run, experiment);
+  return predict(*plant.run, experiment, {plant.parameters, {}}).channels.col(0);
 }
 
 /// A record of everyday: a few small steps about the working point.
@@ -215,58 +216,94 @@ void compare_intervals(const Plan& plan, const PlanModel& model, const Refit& re
   }
 }
 
+/// A plant with its old record, and models fitted to that.
+struct Bench {
+  PlanProblem problem;
+  std::size_t right = 0;
+  Plant plant;
+  Experiment old;
+  double noise = 0.0;
+  std::vector<double> log_evidences;  ///< of the models, from the old record
+};
+
+Bench bench_of(const RivalCase& rivals, std::uint64_t draw, Random& random) {
+  Bench bench;
+  bench.right = draw % rivals.models.size();
+  bench.problem = problem_of(rivals, 1.0, kUnknown);
+  Vector off(model_run(bench.problem.models[bench.right], bench.problem).values.size());
+  for (double& value : off) value = kOff * random.uniform(-1.0, 1.0);
+  const double rest = value_at_rest(bench.problem, bench.right, off);
+  bench.problem = problem_of(rivals, rest, kUnknown);
+  bench.plant = plant_of(bench.problem, bench.right, off);
+  bench.old = old_experiment(bench.problem);
+  const Vector clean = measure(bench.plant, bench.old);
+  const Vector whole = measure(bench.plant, whole_range(bench.problem));
+  bench.noise = kNoise * std::sqrt((whole.array() - whole.mean()).square().mean());
+  bench.log_evidences = fit_old(
+      dataset_of(bench.old, with_noise(clean, bench.noise, random)), bench.problem);
+  bench.problem.channels[0].noise = bench.noise;
+  return bench;
+}
+
+/// Log evidences of the models for a new record alone.
+std::vector<double> evidences_of(const PlanProblem& problem, const Experiment& experiment,
+                                 const Vector& values) {
+  std::vector<double> logs;
+  for (const PlanModel& model : problem.models) {
+    ModelRun run = model_run(model, problem);
+    choose_steps(run, {experiment});
+    const Knowledge known = knowledge_of(model, PlanOptions{}.spread);
+    logs.push_back(log_evidence(run, known, {experiment}, {values}));
+  }
+  return logs;
+}
+
+double promised_for(const Plan& plan, const std::string& right) {
+  double least = INFINITY;
+  for (const PairPromise& pair : plan.pairs)
+    if (pair.truth == right) least = std::min(least, pair.log_bayes_factor);
+  return least;
+}
+
+/// The planned run, measured: what it does, against what was promised.
+void compare_promises(const Plan& plan, const PlanProblem& problem, const Bench& bench,
+                      const Vector& values, const std::vector<double>& logs,
+                      LoopOutcome& outcome) {
+  const PlanModel& model = problem.models[bench.right];
+  const Experiment& planned = plan.runs.at(0).experiment;
+  outcome.promised = promised_for(plan, model.name);
+  outcome.obtained = margin_of(logs, bench.right);
+  ModelRun run = model_run(model, problem);
+  choose_steps(run, {planned});
+  const Knowledge known = knowledge_of(model, PlanOptions{}.spread);
+  compare_intervals(plan, model, refit(run, known, {planned}, {values}), known.information,
+                    bench.plant.parameters, outcome);
+}
+
 }  // namespace
 
 LoopOutcome go_round(const RivalCase& rivals, std::uint64_t draw) {
   Random random(draw * 7919 + 17);
-  const std::size_t right = draw % rivals.models.size();
-  PlanProblem problem = problem_of(rivals, 1.0, kUnknown);
-  Vector off(model_run(problem.models[right], problem).values.size());
-  for (double& value : off) value = kOff * random.uniform(-1.0, 1.0);
-  problem = problem_of(rivals, value_at_rest(problem, right, off), kUnknown);
-  Plant plant = plant_of(problem, right, off);
-  const Experiment old = old_experiment(problem);
-  const Vector clean = measure(plant, old);
-  const Vector whole = measure(plant, whole_range(problem));
-  const double noise = kNoise * std::sqrt((whole.array() - whole.mean()).square().mean());
-  const std::vector<double> logs =
-      fit_old(dataset_of(old, with_noise(clean, noise, random)), problem);
-  problem.channels[0].noise = noise;
+  Bench bench = bench_of(rivals, draw, random);
   LoopOutcome outcome;
-  outcome.old_margin = margin_of(logs, right);
+  outcome.old_margin = margin_of(bench.log_evidences, bench.right);
   RunContext context;
   context.seed = draw + 1;
   const auto begin = std::chrono::steady_clock::now();
-  auto [budgeted, plan] = cheapest_plan(problem, context);
-  problem = std::move(budgeted);
+  const auto [problem, plan] = cheapest_plan(bench.problem, context);
   outcome.seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-  std::vector<Experiment> experiments{plan.runs.at(0).experiment};
-  for (Experiment& one : standard_experiments(problem, random))
-    experiments.push_back(std::move(one));
-  experiments.push_back(first_part(old, problem.duration));
+  std::vector<Experiment> experiments = standard_experiments(problem, random);
+  experiments.insert(experiments.begin(), plan.runs.at(0).experiment);
+  experiments.push_back(first_part(bench.old, problem.duration));
   for (std::size_t e = 0; e < experiments.size(); ++e) {
     const Vector values =
-        with_noise(measure(plant, experiments[e]), noise, random) / noise;
-    std::vector<double> with_new = logs, alone(logs.size());
-    for (std::size_t i = 0; i < problem.models.size(); ++i) {
-      ModelRun run = model_run(problem.models[i], problem);
-      choose_steps(run, {experiments[e]});
-      const Knowledge known = knowledge_of(problem.models[i], PlanOptions{}.spread);
-      alone[i] = log_evidence(run, known, {experiments[e]}, {values});
-      with_new[i] += alone[i];
-      if (e == 0 && i == right)
-        compare_intervals(plan, problem.models[i],
-                          refit(run, known, {experiments[e]}, {values}), known.information,
-                          plant.parameters, outcome);
-    }
-    outcome.margins.push_back(margin_of(with_new, right));
-    if (e == 0) outcome.obtained = margin_of(alone, right);
+        with_noise(measure(bench.plant, experiments[e]), bench.noise, random) / bench.noise;
+    std::vector<double> logs = evidences_of(problem, experiments[e], values);
+    if (e == 0) compare_promises(plan, problem, bench, values, logs, outcome);
+    for (std::size_t i = 0; i < logs.size(); ++i) logs[i] += bench.log_evidences[i];
+    outcome.margins.push_back(margin_of(logs, bench.right));
   }
-  outcome.promised = INFINITY;
-  for (const PairPromise& pair : plan.pairs)
-    if (pair.truth == problem.models[right].name)
-      outcome.promised = std::min(outcome.promised, pair.log_bayes_factor);
   return outcome;
 }
 

@@ -87,8 +87,10 @@ int run(const StudyArguments& arguments) {
   table.rows.push_back(row_of("all", all));
   const std::string text =
       "# Planned experiments\n\nDraws in which the right model's log Bayes factor over its best "
-      "rival is above 3: after the old record alone, and with one\nmore run of equal length. "
-      "1 % noise, true parameters 20 % off.\n\n" +
+      "rival is above 3: after an old record about the\nworking point alone, and with one more "
+      "run: the planned one is the shortest that promises to decide in 95 %, the others are as\n"
+      "long. Noise 1 % of what the whole range of the input gives, true parameters up to 20 % "
+      "off.\n\n" +
       table.markdown() + "\n" + calibration(all) + "\n" + machine_description() + ", " +
       today() + ". Command: `study_experiments FOLDER " + std::to_string(draws) + "`\n";
   write_results(arguments.folder_at(0), "experiments", table.csv(), text);

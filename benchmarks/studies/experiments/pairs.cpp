@@ -163,7 +163,7 @@ std::vector<RivalCase> thermal() {
   return {{"one, two thermal masses",
            {scalar(one, "-a*x + b*u", kAtRest),
             "input u hold zero\n" + one +
-                "param c = 0.05 in 0.005..5\nparam e = 0.1 in 0.005..5\n"
+                "param c = 0.02 in 0.002..5\nparam e = 0.1 in 0.005..5\n"
                 "dx/dt = -a*x - c*x + c*z + b*u\ndz/dt = e*x - e*z\ny = x\n"
                 "initial x = @ fixed\ninitial z = @ fixed\n"},
            0.0,
@@ -172,7 +172,7 @@ std::vector<RivalCase> thermal() {
            0.2},
           {"conduction, with radiation",
            {scalar(one, "-a*x + b*u", kAtRest),
-            scalar(one + "param r = 0.002 in 0.00001..1\n", "-a*x - r*((3 + x)^4 - 81) + b*u",
+            scalar(one + "param r = 0.0005 in 0.00001..1\n", "-a*x - r*((3 + x)^4 - 81) + b*u",
                    "1.2")},
            0.0,
            1.0,

@@ -9,40 +9,47 @@
 #include <Eigen/Cholesky>
 
 #include "core/base/random.hpp"
+#include "precision.hpp"
 
 namespace lacuna {
 namespace {
 
-/// Standard errors, or prior deviations, of the free numbers in the model, and the deviation
-/// that is taken where there is none.
-struct GivenDeviations {
-  Vector known;  ///< P; 0: nothing
-  Vector taken;  ///< P, > 0
-};
-
-GivenDeviations given_deviations(const SystemModel& system, double spread) {
-  const ParametrisedModel model = system.parametrised();
-  const Vector values = model.values();
-  GivenDeviations given{Vector::Zero(values.size()), Vector(values.size())};
-  for (Index p = 0; p < values.size(); ++p)
-    given.taken[p] = values[p] != 0.0 ? spread * std::abs(values[p]) : spread;
+/// Standard errors, or prior deviations, of the free numbers in the model; 0: nothing is known.
+Vector given_deviations(const SystemModel& system, const ParametrisedModel& model) {
+  Vector given = Vector::Zero(model.values().size());
   Index p = 0;
   for (const FreeCoefficient& free : model.coefficients()) {
     const Equation& equation =
         model.symbolic().equations()[static_cast<std::size_t>(free.equation)];
-    given.known[p++] =
+    given[p++] =
         equation[static_cast<std::size_t>(free.summand)].standard_error.value_or(0.0);
   }
+  for (const Parameter& parameter : system.parameters())
+    if (parameter.free)
+      given[p++] = parameter.standard_error.value_or(parameter.deviation.value_or(0.0));
+  return given;
+}
+
+/// The deviation of each number that is taken where nothing is known: a fraction of its size,
+/// at most that of a uniform distribution over its range. The estimate is the size, unless
+/// records determine it no better than that.
+/// @param errors of the numbers that records have left, NaN: any value; empty: no records.
+Vector assumed_deviations(const SystemModel& system, const Vector& values, const Vector& errors,
+                          double spread) {
+  Vector sizes = sizes_of(values), most = Vector::Constant(values.size(), INFINITY);
+  Index p = values.size() - std::count_if(system.parameters().begin(), system.parameters().end(),
+                                          [](const Parameter& one) { return one.free; });
   for (const Parameter& parameter : system.parameters()) {
     if (!parameter.free) continue;
-    given.known[p] = parameter.standard_error.value_or(parameter.deviation.value_or(0.0));
-    // Of a uniform distribution over the range.
     if (parameter.min && parameter.max)
-      given.taken[p] = std::min(given.taken[p], (*parameter.max - *parameter.min) /
-                                                    std::sqrt(12.0));
+      most[p] = (*parameter.max - *parameter.min) / std::sqrt(12.0);
     ++p;
   }
-  return given;
+  for (p = 0; p < errors.size(); ++p)
+    sizes[p] = std::isfinite(errors[p])  ? std::max(sizes[p], errors[p])
+               : std::isfinite(most[p]) ? most[p] / spread
+                                        : sizes[p];
+  return (spread * sizes).cwiseMin(most);
 }
 
 Matrix inverse_squares(const Vector& deviations) {
@@ -86,14 +93,21 @@ double log_det(const Matrix& symmetric) {
 }
 
 Knowledge knowledge_of(const PlanModel& model, double spread) {
-  const GivenDeviations given = given_deviations(model.system, spread);
+  const ParametrisedModel parametrised = model.system.parametrised();
+  const Vector values = parametrised.values();
   Knowledge knowledge;
-  knowledge.information =
-      model.information.size() > 0 ? model.information : inverse_squares(given.known);
-  knowledge.proper = knowledge.information;
+  Vector errors;
+  if (model.information.size() > 0) {
+    knowledge.information = model.information;
+    errors = standard_errors(model.information, sizes_of(values));
+  } else {
+    knowledge.information = inverse_squares(given_deviations(model.system, parametrised));
+  }
   // Of a number of which nothing was measured the deviation that is taken is all there is; it
   // is small beside what is measured of the others.
-  knowledge.proper += inverse_squares(given.taken);
+  knowledge.proper =
+      knowledge.information +
+      inverse_squares(assumed_deviations(model.system, values, errors, spread));
   const Index p = knowledge.proper.rows();
   const Matrix lower = knowledge.proper.llt().matrixL();
   knowledge.factor =

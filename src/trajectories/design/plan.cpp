@@ -299,7 +299,7 @@ Plan plan_experiment(const PlanProblem& problem, const PlanOptions& options,
   expected.made = evidence_of_made(problem, options.runs, rivals, with_pairs);
   if (with_pairs)
     plan.pairs = pair_promises(problem, rivals, expected, experiments, options.decisive, context);
-  plan.parameters = parameter_promises(problem, rivals, expected);
+  plan.parameters = parameter_promises(problem, rivals, expected, experiments, context);
   plan.time_saved = time_saved(planning.terms, rivals, expected);
   plan.evaluations = planning.evaluations;
   plan.simulations = planning.simulations;

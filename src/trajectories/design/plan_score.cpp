@@ -33,19 +33,12 @@ double parameters_score(const ScoreTerms& terms, const Rivals& rivals,
     if (terms.precision == PrecisionCriterion::Chosen && terms.chosen[i].empty()) continue;
     sum += rivals.weights[i] *
            precision_of(rivals.knowledge[i].information + evidence.models[i].information,
-                        sizes_of(rivals.runs[i]), terms.precision, terms.chosen[i]);
+                        sizes_of(rivals.runs[i].values), terms.precision, terms.chosen[i]);
   }
   return sum;
 }
 
 }  // namespace
-
-Vector sizes_of(const ModelRun& run) {
-  Vector sizes = run.values.cwiseAbs();
-  for (double& size : sizes)
-    if (size == 0.0) size = 1.0;
-  return sizes;
-}
 
 ScoreTerms score_terms(const PlanProblem& problem, const PlanOptions& options,
                        const Rivals& rivals) {

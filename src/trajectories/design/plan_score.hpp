@@ -19,9 +19,6 @@ struct ScoreTerms {
 ScoreTerms score_terms(const PlanProblem& problem, const PlanOptions& options,
                        const Rivals& rivals);
 
-/// Sizes by which numbers are scaled: their values, 1 for 0.
-Vector sizes_of(const ModelRun& run);
-
 /// The larger the better, in units of a log probability; minus infinity where a path does not
 /// stay finite.
 double score_of(const ScoreTerms& terms, const Rivals& rivals, const DesignEvidence& evidence);

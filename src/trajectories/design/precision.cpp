@@ -59,6 +59,10 @@ double precision_of(const Matrix& information, const Vector& size, PrecisionCrit
   return -variances(own)(chosen).array().log().sum();
 }
 
+Vector sizes_of(const Vector& values) {
+  return values.unaryExpr([](double value) { return value == 0.0 ? 1.0 : std::abs(value); });
+}
+
 Vector standard_errors(const Matrix& information, const Vector& size) {
   if (size.size() == 0) return {};
   const Scaled own = scaled(information, size);

@@ -14,6 +14,9 @@ namespace lacuna {
 double precision_of(const Matrix& information, const Vector& size, PrecisionCriterion criterion,
                     const std::vector<Index>& chosen = {});
 
+/// Sizes of numbers, > 0: of 0 it is 1.
+Vector sizes_of(const Vector& values);
+
 /// Standard errors, P; NaN of a number that the information does not determine.
 Vector standard_errors(const Matrix& information, const Vector& size);
 

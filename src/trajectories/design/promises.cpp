@@ -67,6 +67,43 @@ void judge_pairs(Plan& plan) {
       "more, or with less noise");
 }
 
+/// Standard errors after experiments where the numbers are those of a draw.
+Vector errors_of_draw(ModelRun& run, const Matrix& known,
+                      const std::vector<Experiment>& experiments, const PathNumbers& draw) {
+  Matrix information = known;
+  for (const Experiment& experiment : experiments) {
+    load(run, experiment);
+    const LinearPrediction linear =
+        linearise(run, experiment, in_experiment(run, experiment, draw));
+    if (!linear.is_finite) return Vector::Constant(known.rows(), kNone);
+    information += model_evidence(linear).information;
+  }
+  return standard_errors(information, sizes_of(run.values));
+}
+
+/// Standard errors after experiments, root mean squares over the draws that determine a number.
+/// @param at_estimates those where the numbers are the estimates.
+Vector expected_errors(const Rivals& rivals, std::size_t model,
+                       const std::vector<Experiment>& experiments, const Vector& at_estimates,
+                       const RunContext& context) {
+  const std::vector<PathNumbers>& draws = rivals.draws[model];
+  std::vector<Vector> errors(draws.size());
+  parallel_for(draws.size(), context.threads, [&](std::size_t k) {
+    context.check_stop();
+    ModelRun run = rivals.runs[model];
+    errors[k] =
+        errors_of_draw(run, rivals.knowledge[model].information, experiments, draws[k]);
+  });
+  Vector variances = at_estimates.cwiseAbs2(), counts = Vector::Ones(variances.size());
+  for (const Vector& one : errors)
+    for (Index p = 0; p < variances.size(); ++p)
+      if (std::isfinite(one[p])) {
+        variances[p] += one[p] * one[p];
+        ++counts[p];
+      }
+  return variances.cwiseQuotient(counts).cwiseSqrt();
+}
+
 void judge_parameters(Plan& plan, const PlanOptions& options) {
   // A standard error that stays above this fraction of what it was is not narrowed.
   constexpr double kNarrowed = 0.95;
@@ -117,15 +154,18 @@ std::vector<PairPromise> pair_promises(const PlanProblem& problem, const Rivals&
 }
 
 std::vector<ParameterPromise> parameter_promises(const PlanProblem& problem,
-                                                 const Rivals& rivals,
-                                                 const Expected& expected) {
+                                                 const Rivals& rivals, const Expected& expected,
+                                                 const std::vector<Experiment>& experiments,
+                                                 const RunContext& context) {
   std::vector<ParameterPromise> promises;
   for (std::size_t i = 0; i < rivals.runs.size(); ++i) {
     const ModelRun& run = rivals.runs[i];
-    const Vector size = sizes_of(run);
+    const Vector size = sizes_of(run.values);
     const Matrix& known = rivals.knowledge[i].information;
     const Vector before = standard_errors(known, size);
-    const Vector after = standard_errors(known + expected.planned.models[i].information, size);
+    const Vector after = expected_errors(
+        rivals, i, experiments,
+        standard_errors(known + expected.planned.models[i].information, size), context);
     Vector repeated = Vector::Constant(size.size(), kNone);
     if (!expected.made.models.empty())
       repeated = standard_errors(known + expected.made.models[i].information, size);

@@ -17,10 +17,12 @@ std::vector<PairPromise> pair_promises(const PlanProblem& problem, const Rivals&
                                        const std::vector<Experiment>& experiments,
                                        double decisive, const RunContext& context);
 
-/// All free numbers of all models.
+/// All free numbers of all models. What experiments bring depends on the numbers, which are
+/// known to their draws only: variances after them are means over the draws.
 std::vector<ParameterPromise> parameter_promises(const PlanProblem& problem,
-                                                 const Rivals& rivals,
-                                                 const Expected& expected);
+                                                 const Rivals& rivals, const Expected& expected,
+                                                 const std::vector<Experiment>& experiments,
+                                                 const RunContext& context);
 
 /// Sets what a plan cannot do, and whether it does anything.
 void judge(Plan& plan, const ScoreTerms& terms, const PlanOptions& options);

@@ -150,5 +150,23 @@ TEST(KnowledgeOf, StandardErrorsCountWithoutInformation) {
   EXPECT_NEAR(knowledge_of(model, 0.5).information(0, 0), 25.0, 1e-9) << "a prior";
 }
 
+/// What is taken of a parameter of value 0.01 in 0.01..10 beside so much that records have left.
+double taken_beside(double information) {
+  PlanModel model = gaussian_problem().models[1];
+  std::vector<Parameter> parameters = model.system.parameters();
+  parameters.at(0).value = 0.01;
+  parameters.at(0).min = 0.01;
+  parameters.at(0).max = 10.0;
+  model.system = SystemModel(model.system.symbolic(), parameters);
+  model.information = Matrix::Constant(1, 1, information);
+  return 1.0 / std::sqrt(knowledge_of(model, 0.5).proper(0, 0) - information);
+}
+
+TEST(KnowledgeOf, AnEstimateBelowItsErrorIsNoSize) {
+  EXPECT_NEAR(taken_beside(25.0), 0.5 * 0.2, 1e-9) << "the error is 0.2";
+  EXPECT_NEAR(taken_beside(1e6), 0.5 * 0.01, 1e-6) << "the error is a tenth of the estimate";
+  EXPECT_NEAR(taken_beside(0.0), 9.99 / std::sqrt(12.0), 1e-9) << "any value of the range";
+}
+
 }  // namespace
 }  // namespace lacuna

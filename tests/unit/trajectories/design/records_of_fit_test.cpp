@@ -65,21 +65,30 @@ TEST(ExperimentsOf, AreTheRecords) {
   EXPECT_THROW(experiments_of(found, data, problem), ArgumentError);
 }
 
-TEST(ParameterPromise, IsTheSpreadOfFits) {
-  // The plan: 0 as the only input, so that its run is known beforehand.
+/// A run without input, so that it is known before it is planned.
+PlanProblem free_decay(double information) {
   PlanProblem problem;
-  problem.models = {{"decay", decay(0.7)}};
+  problem.models = {{"decay", decay(0.7), Matrix::Constant(1, 1, information)}};
   problem.inputs = {{"u", 0.0, 1e-9}};
   problem.channels = {{"y", 0.02}};
   problem.duration = 4.0;
   problem.step = 0.1;
+  return problem;
+}
+
+double promised_error(const PlanProblem& problem, int draws) {
   PlanOptions options;
   options.candidates = 1;
   options.searches = 1;
   options.evaluations = 1;
+  options.draws = draws;
   const Plan plan = plan_experiment(problem, options);
-  ASSERT_EQ(plan.parameters.size(), 1u);
-  ASSERT_TRUE(plan.parameters[0].after);
+  return plan.parameters.at(0).after.value_or(NAN);
+}
+
+TEST(ParameterPromise, IsTheSpreadOfFits) {
+  constexpr double kKnown = 1e4;  // so that draws do not differ
+  const double promised = promised_error(free_decay(kKnown), 8);
   constexpr int kDraws = 60;
   double squares = 0.0;
   for (int draw = 0; draw < kDraws; ++draw) {
@@ -89,8 +98,34 @@ TEST(ParameterPromise, IsTheSpreadOfFits) {
     const Fit found = fit(decay(0.7), data, {}, {.restarts = 0});
     squares += std::pow(found.model.parameters().at(0).value - 0.7, 2);
   }
-  // The deviation of 60 draws is known to 9 %; 25 % are nearly three times that.
-  EXPECT_NEAR(std::sqrt(squares / kDraws) / *plan.parameters[0].after, 1.0, 0.25);
+  // The record is added to what is known; the deviation of 60 draws is known to 9 %, 25 % are
+  // nearly three times that.
+  const double together = 1.0 / std::sqrt(kKnown + kDraws / squares);
+  EXPECT_NEAR(together / promised, 1.0, 0.25);
+}
+
+/// d/dk of exp(-k t) at the 41 samples, over the noise.
+double information_at(double k) {
+  double sum = 0.0;
+  for (int i = 0; i <= 40; ++i) sum += std::pow(0.1 * i * std::exp(-k * 0.1 * i) / 0.02, 2);
+  return sum;
+}
+
+TEST(ParameterPromise, IsAMeanOverWhatIsPossible) {
+  // A rate known to 0.2: a fast decay shows less of its rate than a slow one.
+  constexpr double kKnown = 25.0;
+  const double promised = promised_error(free_decay(kKnown), 4000);
+  double sum = 0.0, weights = 0.0;
+  for (double z = -4.0; z <= 4.0; z += 0.01) {
+    // What is taken where nothing is known, half of 0.7, adds its part.
+    const double k = 0.7 + z / std::sqrt(kKnown + 1.0 / (0.35 * 0.35));
+    const double weight = std::exp(-0.5 * z * z);
+    sum += weight / (kKnown + information_at(k));
+    weights += weight;
+  }
+  const double expected = std::sqrt(sum / weights);
+  EXPECT_NEAR(promised, expected, 0.02 * expected);
+  EXPECT_GT(expected, 1.04 / std::sqrt(kKnown + information_at(0.7))) << "more than there";
 }
 
 }  // namespace
