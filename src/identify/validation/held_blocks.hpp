@@ -18,7 +18,8 @@ struct Block {
 
 /// Every so manyth of blocks, counted through all records (ValidationOptions::held_every):
 /// about ValidationOptions::blocks in all where each has room for a window then, and no fewer
-/// than ValidationOptions::fewest_blocks. A record that is shorter than a block is one.
+/// than ValidationOptions::fewest_blocks. A record that is shorter than a block is one. What rests
+/// before a record moves and behind it is in no block: there a model shows nothing.
 /// @param window samples.
 std::vector<Block> held_blocks(const Dataset& data, Index window,
                                const ValidationOptions& options = {});

@@ -57,6 +57,34 @@ TEST(HeldBlocks, OfManyShortRecordsEveryFourthIsHeldOut) {
   }
 }
 
+/// A record that rests, moves for a while and rests again.
+Dataset resting(Index before, Index moving, Index behind) {
+  Dataset data = counted({before + moving + behind});
+  auto x = data.trajectories[0].states.col(0);
+  x.head(before).setConstant(double(before));
+  x.tail(behind).setConstant(double(before + moving - 1));
+  return data;
+}
+
+TEST(HeldBlocks, AreWhereARecordMoves) {
+  const std::vector<Block> blocks = held_blocks(resting(3000, 400, 5000), 20);
+  ASSERT_NEAR(double(samples_in(blocks)), 100.0, 20.0);
+  ASSERT_FALSE(blocks.empty());
+  for (const Block& block : blocks) {
+    EXPECT_GE(block.first, 2999);
+    EXPECT_LE(block.first + block.count, 3402);
+  }
+}
+
+TEST(HeldBlocks, NoiseIsMotionAndAConstantRecordIsWhole) {
+  Dataset data = resting(3000, 400, 5000);
+  auto x = data.trajectories[0].states.col(0);
+  for (Index i = 0; i < x.size(); ++i) x[i] += i % 2 == 0 ? 1.0 : -1.0;
+  EXPECT_NEAR(double(samples_in(held_blocks(data, 20))), 2100.0, 10.0);
+  x.setConstant(4.0);
+  EXPECT_NEAR(double(samples_in(held_blocks(data, 20))), 2100.0, 10.0);
+}
+
 TEST(HeldBlocks, ThinnedRecordsAreStretchesOfAll) {
   const Dataset data = counted({500, 300, 200});
   EXPECT_EQ(thinned(data, 1000).trajectories.size(), 3U);

@@ -64,6 +64,52 @@ TEST(Validate, NumbersAreThoseOfTheDefinition) {
   EXPECT_NEAR(validation.one_step.horizon, 0.01, 1e-9);
 }
 
+/// What comes to rest: all but the first blocks of a record hold no motion.
+struct Settling {
+  std::string equations;
+  Vector start;
+  std::vector<std::string> terms;  ///< of the right library
+  std::vector<std::string> wrong;  ///< of one that lacks a term
+};
+
+std::vector<Settling> settling() {
+  return {{"dS/dt = -0.5*S*I\ndI/dt = 0.5*S*I - 0.1*I\ndR/dt = 0.1*I\n",
+           Vector{{0.99, 0.01, 0.0}},
+           {"1", "S", "I", "R", "S*I"},
+           {"1", "S", "I", "R", "S*R"}},
+          {"dx/dt = -0.3*x\n", Vector{{2.0}}, {"1", "x", "x^2"}, {"1", "x^2", "x^3"}},
+          {"dq/dt = v\ndv/dt = -4*q - 0.4*v\n",
+           Vector{{1.0, 0.0}},
+           {"1", "q", "v", "q*v"},
+           {"1", "v", "q^2", "v^2"}},
+          {"dn/dt = 0.6*n - 0.2*n^2\n", Vector{{0.05}}, {"1", "n", "n^2"}, {"1", "n"}}};
+}
+
+/// The record in so many digits behind the point, as files have it.
+Dataset printed(Dataset data, int digits) {
+  const double step = std::pow(10.0, -digits);
+  for (Trajectory& record : data.trajectories)
+    record.states = (record.states / step).array().round() * step;
+  return data;
+}
+
+TEST(Validate, RecordsThatComeToRestAreJudgedWhereTheyMove) {
+  const std::vector<Settling> all = settling();
+  ASSERT_FALSE(all.empty());
+  for (const Settling& one : all)
+    for (const int digits : {10, 6}) {
+      const Dataset data =
+          printed(record_of_text(one.equations, one.start, 0.1, 2000), digits);
+      const Validation right = validated(data, with_terms(one.terms));
+      EXPECT_EQ(right.verdict, ValidationVerdict::FitsToNoise)
+          << one.equations << digits << ' ' << right.sentence;
+      const Validation wrong = validated(data, with_terms(one.wrong));
+      EXPECT_THAT(wrong.verdict, ::testing::AnyOf(ValidationVerdict::WrongLibrary,
+                                                ValidationVerdict::Approximation))
+          << one.equations << digits << ' ' << wrong.sentence;
+    }
+}
+
 TEST(Validate, OtherRecordsAreJudgedByTheModelAsItIs) {
   const Dataset data = lorenz_record(0.01);
   const Pipeline pipeline = with_terms(kLorenzTerms);
