@@ -84,5 +84,10 @@ TEST(Pages, TheCookbookRunsAsItStands) {
     EXPECT_THAT(lynx, ::testing::Not(::testing::HasSubstr(cubic)));
 }
 
+TEST(Pages, TheGalleryRunsAsItStands) {
+  const TemporaryFolder folder;
+  EXPECT_GE(follow("gallery.md", folder), 22);
+}
+
 }  // namespace
 }  // namespace lacuna::testing
