@@ -52,8 +52,8 @@ PROBLEMS = [
         "An oscilloscope saw it twice. What does the model on the desk lack?",
         {}, ["lacuna diagnose --model data/pendulum.ode data/pendulum_scope_1.csv.gz "
          f"--holdout data/pendulum_scope_2.csv.gz {SCOPE}"],
-        ["^Explained", "^Equation w", "^On records"], "comparison_w",
-        "The speed on the record that chose nothing: measured, nominal model, with the friction"),
+        ["^Explained", "^Equation w", "^On records"], "deviation_w",
+        "Measured speed minus model: the nominal one, and with the friction; the noise as a band"),
     Problem(
         "Lorenz's convection", "Three signals with noise, no model. Which equations do they obey?",
         {"lorenz.ode": "state x\nstate y\nstate z\ndx/dt = 10*(y - x)\ndy/dt = x*(28 - z) - y\n"
@@ -104,7 +104,8 @@ PROBLEMS = [
          "viscous.ode": nominal("-0.8*x - 0.2*v")},
         [RECORD.format("paddle.ode", "0,0", 40, 0.02, "x=0.01,v=0.02", "paddle.csv"),
          "lacuna diagnose --model viscous.ode paddle.csv"],
-        ["^Equation", "^On records"], "coefficients", "Coefficients: nominal and estimated"),
+        ["^Equation", "^On records"], "comparison_v",
+        "The speed: measured, nominal model, with the drag of the square"),
     Problem(
         "A diode across a capacitor",
         "A linear circuit bends one of its waves. Which part conducts?",
@@ -146,7 +147,7 @@ PROBLEMS = [
         ["^Hint", "^Does not hold"], "comparison_w", "The speed and the model as they are"),
     Problem(
         "The next experiment",
-        "Viscous or dry friction? Which input tells, within limits that are safe?",
+        "Viscous or dry friction? Which input distinguishes them, within a safe range?",
         {"viscous.ode": nominal("-0.3*v").replace("state x [m]\n", "").replace("dx/dt = v\n", "")
                         .replace("hold smooth", "hold zero"),
          "dry.ode": nominal("-0.2*tanh(v/0.01)").replace("state x [m]\n", "")
@@ -205,7 +206,7 @@ def section(problem, shown):
 
 HEAD = """# Gallery
 
-Twelve problems, each with its record, commands, answer and one of the pictures that `--plot` writes.
+Twelve problems, each with its record, commands, answer and one picture of those that `--plot` writes.
 Records are shipped or made on the spot by a fixed seed. `scripts/gallery.py` writes this page from
 one list; a test (`tests/integration/pages_test.cpp`) runs every block of it.
 """
@@ -232,4 +233,4 @@ def main(program, part):
 
 
 if __name__ == "__main__":
-    main(sys.argv[1], sys.argv[2] if len(sys.argv) > 2 else "")
+    main(Path(sys.argv[1]).resolve(), sys.argv[2] if len(sys.argv) > 2 else "")

@@ -34,7 +34,7 @@ def is_elsewhere(link):
     return link.split(":")[0] in ("http", "https", "mailto", "data", "javascript")
 
 
-def faults_of(path, page, pages):
+def faults_of(path, page, pages, root):
     """A line for each link of a page that leads nowhere, and each thing loaded from elsewhere."""
     for link in page.links + page.loads:
         if is_elsewhere(link):
@@ -42,7 +42,8 @@ def faults_of(path, page, pages):
                 yield f"{path}: loads {link}"
             continue
         name, anchor = urldefrag(link)
-        target = (path.parent / unquote(name)).resolve() if name else path
+        start = root if name.startswith("/") else path.parent
+        target = (start / unquote(name).lstrip("/")).resolve() if name else path
         if target.is_dir():
             target = target / "index.html"
         if not target.exists():
@@ -65,9 +66,10 @@ def answers(link):
 
 
 def main(folder, online):
-    paths = [path.resolve() for path in sorted(Path(folder).rglob("*.html"))]
+    root = Path(folder).resolve()
+    paths = sorted(root.rglob("*.html"))
     pages = {path: Page(path) for path in paths}
-    faults = [fault for path, page in pages.items() for fault in faults_of(path, page, pages)]
+    faults = [fault for path, page in pages.items() for fault in faults_of(path, page, pages, root)]
     links = {link for page in pages.values() for link in page.links if link.startswith("http")}
     if online:
         faults += [f"{link} does not answer" for link in sorted(links) if not answers(link)]

@@ -93,7 +93,7 @@ def title_of(page):
 
 
 def on_page_markdown(markdown, page, **_):
-    """Links to folders lead to their pages."""
+    """Links to folders lead to their pages; a block that is a file has its name as a title."""
     here = ROOT / page.file.src_uri
     here = here if here.exists() else ROOT / "README.md"
 
@@ -101,4 +101,5 @@ def on_page_markdown(markdown, page, **_):
         target = here.parent / found[1]
         return f"]({found[1]}/index.md)" if target.is_dir() else found[0]
 
-    return LINK.sub(to_page, markdown)
+    named = re.sub(r"^```ode (\S+)", r'```text title="\1"', markdown, flags=re.M)
+    return LINK.sub(to_page, named.replace("```ode\n", "```text\n"))

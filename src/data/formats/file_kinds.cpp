@@ -77,7 +77,8 @@ FileAndSheet file_and_sheet(const std::filesystem::path& path) {
   const std::string text = path.string();
   const std::size_t sign = text.rfind('#');
   std::error_code ignored;
-  if (sign == std::string::npos || std::filesystem::exists(path, ignored)) return {path, std::nullopt};
+  if (sign == std::string::npos || std::filesystem::exists(path, ignored))
+    return {path, std::nullopt};
   const std::filesystem::path file = text.substr(0, sign);
   if (!std::filesystem::exists(file, ignored)) return {path, std::nullopt};
   return {file, text.substr(sign + 1)};
