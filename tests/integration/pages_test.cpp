@@ -131,7 +131,7 @@ TEST(Pages, CommandsOfAllPagesAndTheirOptionsAreThere) {
       ++count;
     }
   }
-  EXPECT_GE(count, 100);
+  EXPECT_GE(count, 60);
 }
 
 /// Blocks of a kind of a page, each as one text.
