@@ -42,7 +42,7 @@ Markup first_screen(const Page& page) {
 Markup figures(const PageSection& section) {
   Markup all;
   for (const Picture& picture : section.pictures)
-    all += element("figure", {{"id", picture.name}}, picture.svg);
+    all += element("figure", {{"id", picture.name}, {"tabindex", "0"}}, picture.svg);
   return all;
 }
 
