@@ -77,7 +77,8 @@ TEST_F(Reports, AnswerTheKeyboard) {
     const std::string html = page_of(folder_, arguments(command));
     EXPECT_THAT(html, HasSubstr("class=\"picture lines\" role=\"group\"")) << command;
     EXPECT_THAT(html, HasSubstr("class=\"key\" data-series=\"0\" tabindex=\"0\" role=\"button\""));
-    for (const std::string scrolled : {"<div class=\"wide", "<div class=\"equations", "<figure id=\""})
+    for (const std::string scrolled :
+         {"<div class=\"wide", "<div class=\"equations", "<figure id=\""})
       EXPECT_THAT(html, Not(::testing::ContainsRegex(scrolled + "[^\" ]*\">"))) << command;
   }
 }
