@@ -68,7 +68,7 @@ for part in "$@"; do
     check) install "${test_packages[@]}" ;;
     # The sanitizers of the clang that there is now.
     clang) install clang; install "libclang-rt-$(clang++ -dumpversion | cut -d. -f1)-dev" ;;
-    docs) install doxygen ;;
+    docs) install doxygen libjs-katex python3-venv ;;
     coverage) install gcovr ;;
     *) echo "setup: '$part' is none of check, clang, docs, coverage" >&2; exit 2 ;;
   esac

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Pages as a reader types them: files are written, commands run, what is shown is looked for
 // in what they print.
+#include <filesystem>
 #include <fstream>
+#include <map>
 #include <sstream>
 
 #include "integration/program.hpp"
@@ -82,6 +84,105 @@ TEST(Pages, TheCookbookRunsAsItStands) {
     EXPECT_THAT(lynx, ::testing::HasSubstr(equation));
   for (const char* cubic : {"hare^2", "lynx^2", "^3"})
     EXPECT_THAT(lynx, ::testing::Not(::testing::HasSubstr(cubic)));
+}
+
+TEST(Pages, TheLoopOfAPlanRunsAsItStands) {
+  const TemporaryFolder folder;
+  EXPECT_GE(follow("plan.md", folder), 7);
+  EXPECT_THAT(folder.read("third.csv"), ::testing::HasSubstr("u [N]"));
+}
+
+/// Lines of blocks, fenced or indented, that begin with `lacuna`, a `$` in front of it or not.
+std::vector<std::string> shown_commands(const std::filesystem::path& page) {
+  std::vector<std::string> commands;
+  std::ifstream file(page);
+  bool fenced = false;
+  for (std::string line; std::getline(file, line);) {
+    if (line.rfind("```", 0) == 0) fenced = !fenced;
+    std::string text = plain(line.substr(0, line.find(" # ")));
+    if (text.rfind("$ ", 0) == 0) text.erase(0, 2);
+    const bool is_code = fenced || line.rfind("    ", 0) == 0;
+    if (is_code && text.rfind("lacuna ", 0) == 0) commands.push_back(text.substr(7));
+  }
+  return commands;
+}
+
+TEST(Pages, CommandsOfAllPagesAndTheirOptionsAreThere) {
+  const std::filesystem::path root = LACUNA_SOURCE_DIR;
+  std::vector<std::filesystem::path> pages{root / "README.md", root / "site/pages/index.md"};
+  for (const char* folder : {"docs", "effects", "bases", "solvers", "data"})
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(root / folder))
+      if (entry.path().extension() == ".md") pages.push_back(entry.path());
+  std::map<std::string, std::string> help;
+  int count = 0;
+  for (const auto& page : pages) {
+    for (const std::string& line : shown_commands(page)) {
+      std::istringstream words(line);
+      std::string command;
+      words >> command;
+      if (!help.contains(command)) help[command] = run_program(command + " --help-all").out;
+      EXPECT_NE(help[command], "") << page << ": " << line;
+      for (std::string word; words >> word;) {
+        word.erase(0, word.find_first_not_of('['));
+        if (word.rfind("--", 0) != 0) continue;
+        const std::string option = word.substr(0, word.find_first_of("=]"));
+        EXPECT_THAT(help[command], ::testing::ContainsRegex(option + "[ ,\n]")) << page;
+      }
+      ++count;
+    }
+  }
+  EXPECT_GE(count, 60);
+}
+
+/// Blocks of a kind of a page, each as one text.
+std::vector<std::string> texts_of(const std::string& page, const std::string& kind) {
+  std::vector<std::string> texts;
+  for (const Block& block : blocks_of(std::string(LACUNA_SOURCE_DIR) + "/docs/" + page)) {
+    if (block.kind != kind) continue;
+    texts.emplace_back();
+    for (const std::string& line : block.lines) texts.back() += line + "\n";
+  }
+  return texts;
+}
+
+TEST(Pages, ModelsOfFormatsAreRead) {
+  const TemporaryFolder folder;
+  const auto expect_read = [&](const std::string& name, const std::string& text) {
+    const CommandResult result = run_program("model " + folder.write(name, text));
+    EXPECT_EQ(result.status, 0) << text << result.err;
+    return result.out;
+  };
+  const auto models = texts_of("file-formats/models.md", "json");
+  ASSERT_EQ(models.size(), 2u) << "a model, and keys that it may have too";
+  expect_read("m.json", models[0]);
+  std::string whole = models[0];
+  whole.insert(whole.rfind('}'), "," + models[1]);
+  EXPECT_THAT(expect_read("whole.json", whole), ::testing::HasSubstr("k1"));
+  const auto texts = texts_of("file-formats/models.md", "ode");
+  ASSERT_EQ(texts.size(), 1u);
+  expect_read("m.ode", texts[0]);
+}
+
+TEST(Pages, ConfigurationsOfFormatsAreTaken) {
+  const TemporaryFolder folder;
+  const auto configurations = texts_of("file-formats/configurations.md", "json");
+  ASSERT_EQ(configurations.size(), 2u) << "of a diagnosis, of a pipeline";
+  const std::string model =
+      folder.write("m.ode", "state x\nstate v\ndx/dt = v\ndv/dt = -4*x - 0.2*v\n");
+  const std::string record = folder.file("run.csv");
+  for (const std::string& command :
+       {"simulate " + model + " --x0 1,0 --t-end 10 --dt 0.02 --noise x=0.01,v=0.01 -o " + record,
+        "diagnose --model " + model + " " + record + " --config " +
+            folder.write("diagnosis.json", configurations[0]),
+        "identify " + record + " --config " + folder.write("pipeline.json", configurations[1])}) {
+    const CommandResult result = run_program(command);
+    EXPECT_EQ(result.status, 0) << command << "\n" << result.err;
+  }
+}
+
+TEST(Pages, TheGalleryRunsAsItStands) {
+  const TemporaryFolder folder;
+  EXPECT_GE(follow("gallery.md", folder), 22);
 }
 
 }  // namespace

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What the README shows is what the program has and says.
 #include <fstream>
-#include <map>
-#include <set>
-#include <sstream>
 
 #include "integration/program.hpp"
 
@@ -15,37 +12,6 @@ std::vector<std::string> readme_lines() {
   std::vector<std::string> lines;
   for (std::string line; std::getline(file, line);) lines.push_back(line);
   return lines;
-}
-
-/// Commands of the README, each with its long options, without comments.
-std::vector<std::pair<std::string, std::set<std::string>>> shown_commands() {
-  std::vector<std::pair<std::string, std::set<std::string>>> commands;
-  for (const std::string& line : readme_lines()) {
-    if (line.rfind("    lacuna ", 0) != 0) continue;
-    std::istringstream words(line.substr(0, line.find(" # ")));
-    std::string program, word;
-    while (words >> word) {
-      if (word == "lacuna") {
-        words >> word;
-        commands.emplace_back(word, std::set<std::string>{});
-      } else if (word.rfind("--", 0) == 0) {
-        commands.back().second.insert(word);
-      }
-    }
-  }
-  return commands;
-}
-
-TEST(Readme, CommandsAndOptionsAreThere) {
-  std::map<std::string, std::string> help;
-  const auto commands = shown_commands();
-  EXPECT_GE(commands.size(), 12u);
-  for (const auto& [command, options] : commands) {
-    if (!help.contains(command)) help[command] = run_program(command + " --help").out;
-    EXPECT_NE(help[command], "") << command;
-    for (const std::string& option : options)
-      EXPECT_THAT(help[command], ::testing::HasSubstr(option)) << command;
-  }
 }
 
 TEST(Readme, ItsAnswerIsTheAnswer) {

@@ -71,6 +71,18 @@ TEST_F(Reports, AreSoundWhateverTheFilesSay) {
   expect_sound(page_of(folder_, arguments("diagnose")), "diagnose");
 }
 
+/// Names of curves are buttons, which no image has inside; what scrolls has to take the focus.
+TEST_F(Reports, AnswerTheKeyboard) {
+  for (const std::string command : {"identify", "diagnose", "sync", "fit"}) {
+    const std::string html = page_of(folder_, arguments(command));
+    EXPECT_THAT(html, HasSubstr("class=\"picture lines\" role=\"group\"")) << command;
+    EXPECT_THAT(html, HasSubstr("class=\"key\" data-series=\"0\" tabindex=\"0\" role=\"button\""));
+    for (const std::string scrolled :
+         {"<div class=\"wide", "<div class=\"equations", "<figure id=\""})
+      EXPECT_THAT(html, Not(::testing::ContainsRegex(scrolled + "[^\" ]*\">"))) << command;
+  }
+}
+
 TEST_F(Reports, OfASyncSaysWhetherTheModelHolds) {
   const std::string html = page_of(folder_, arguments("sync"));
   EXPECT_THAT(html, HasSubstr("Does not hold: equation v"));

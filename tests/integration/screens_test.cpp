@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What people read first fits on a screen.
+#include <cmath>
 #include <sstream>
 
 #include "core/base/utf8.hpp"
@@ -53,6 +54,18 @@ TEST_F(Screens, IdentificationOfTheShippedRecord) {
   ASSERT_NE(equations, std::string::npos) << text;
   EXPECT_LT(verdict, equations);
   EXPECT_THAT(text, ::testing::HasSubstr("(+- is 95 %)"));
+}
+
+/// Text, a name that is changed and a clock that begins far from 0 have notes of their own.
+TEST_F(Screens, AUnitThatNobodySaysIsAmongTheFirstWarnings) {
+  std::string rows = "time,frame id,pos x,vel x\n";
+  for (int i = 0; i < 400; ++i)
+    rows += std::to_string(1700000000123456789LL + 10000000LL * i) + ",base," +
+            std::to_string(std::cos(0.03 * i)) + "," + std::to_string(-3.0 * std::sin(0.03 * i)) +
+            "\n";
+  const std::string text = expect_a_screen("identify " + folder_.write("topic.csv", rows));
+  EXPECT_THAT(text, ::testing::HasSubstr("more\n")) << "there are further warnings";
+  EXPECT_THAT(unfolded(text), ::testing::HasSubstr("give --time-unit ns"));
 }
 
 TEST_F(Screens, IdentificationOfLorenzWithNoise) {

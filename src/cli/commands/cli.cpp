@@ -66,10 +66,20 @@ std::vector<std::string> known_words(CLI::App& app, bool options) {
   return words;
 }
 
+/// The first command that has such an option; null where none has.
+const CLI::App* command_with(const CLI::App& app, const std::string& option) {
+  for (const CLI::App* command : app.get_subcommands({}))
+    if (command->get_option_no_throw(option) != nullptr) return command;
+  return nullptr;
+}
+
 /// "did you mean ...?" for the first word that was not expected; empty when there is none.
 std::string hint(CLI::App& app, CLI::App& command) {
   for (const std::string& word : command.remaining(true)) {
     const bool option = word.rfind("-", 0) == 0;
+    if (const CLI::App* owner = option ? nullptr : command_with(app, "--" + word))
+      return "'" + word + "' is an option, as in `lacuna " + owner->get_name() + " ... --" + word +
+             "`; ";
     const auto near = nearest_name(word, known_words(option ? command : app, option));
     if (near) return "'" + word + "': did you mean '" + *near + "'? ";
     return "'" + word + "' is not known; ";

@@ -8,6 +8,8 @@
 #include <string_view>
 #include <vector>
 
+#include "lacuna/core/base/types.hpp"
+
 namespace lacuna {
 
 /// What is wrong with a line, thrown by a dialect that cannot say in which file.
@@ -34,6 +36,10 @@ struct TextDialect {
 
   bool makes_first = true;  ///< the first column is made, from a step or a clock
   std::vector<std::size_t> places = {};  ///< of the columns in the file, from 0, if others
+
+  /// Columns of times, each of the channels behind it (channel_clocks.hpp); empty where there
+  /// is one time for all.
+  std::vector<Index> clocks = {};
 };
 
 /// How a text is to be taken where it is one of:

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <system_error>
 
 #include "data/records/text_field.hpp"
 #include "data/sheets/workbook.hpp"
@@ -70,6 +71,23 @@ std::optional<KnownFile> known_file(std::string_view bytes) {
   if (bytes.substr(0, 4) == "PK\x03\x04")
     return KnownFile{"a zip archive", "unpack it and give the file with the numbers"};
   return std::nullopt;
+}
+
+FileAndSheet file_and_sheet(const std::filesystem::path& path) {
+  const std::string text = path.string();
+  const std::size_t sign = text.rfind('#');
+  std::error_code ignored;
+  if (sign == std::string::npos || std::filesystem::exists(path, ignored))
+    return {path, std::nullopt};
+  const std::filesystem::path file = text.substr(0, sign);
+  if (!std::filesystem::exists(file, ignored)) return {path, std::nullopt};
+  return {file, text.substr(sign + 1)};
+}
+
+void check_sheet(const std::optional<std::string>& sheet, FileKind kind,
+                 const std::string& source) {
+  if (sheet && kind != FileKind::Workbook)
+    throw DataError(source, "only workbooks have sheets", "leave out '#" + *sheet + "'");
 }
 
 FileKind kind_of(const std::filesystem::path& path, std::string_view begin,

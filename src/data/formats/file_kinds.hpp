@@ -27,6 +27,19 @@ enum class FileKind {
   Text,
 };
 
+/// A file, and the sheet of a workbook: "book.xlsx#Sheet".
+struct FileAndSheet {
+  std::filesystem::path file;
+  std::optional<std::string> sheet;
+};
+
+/// Takes a name apart; what exists as it is written names no sheet.
+FileAndSheet file_and_sheet(const std::filesystem::path& path);
+
+/// @throws DataError where a sheet is named of what is no workbook.
+void check_sheet(const std::optional<std::string>& sheet, FileKind kind,
+                 const std::string& source);
+
 /// The kind of a file by the ending of its name and by its bytes, unpacked.
 /// @param begin of them, or all.
 /// @param source name for messages.

@@ -78,23 +78,6 @@ void append(Dataset& data, Dataset more) {
 
 namespace {
 
-/// A file, and the sheet of a workbook: "book.xlsx#Sheet". What exists as it is written names
-/// no sheet.
-struct FileAndSheet {
-  fs::path file;
-  std::optional<std::string> sheet;
-};
-
-FileAndSheet file_and_sheet(const fs::path& path) {
-  const std::string text = path.string();
-  const std::size_t sign = text.rfind('#');
-  std::error_code ignored;
-  if (sign == std::string::npos || fs::exists(path, ignored)) return {path, std::nullopt};
-  const fs::path file = text.substr(0, sign);
-  if (!fs::exists(file, ignored)) return {path, std::nullopt};
-  return {file, text.substr(sign + 1)};
-}
-
 Table read_any(const fs::path& named, const TimeFinder& find) {
   const auto [path, sheet] = file_and_sheet(named);
   const bool piped = path == "-";
@@ -102,8 +85,7 @@ Table read_any(const fs::path& named, const TimeFinder& find) {
   const std::string_view bytes = content.view();
   const std::string source = piped ? "standard input" : named.string();
   const FileKind kind = kind_of(path, bytes, source);
-  if (sheet && kind != FileKind::Workbook)
-    throw DataError(source, "only workbooks have sheets", "leave out '#" + *sheet + "'");
+  check_sheet(sheet, kind, source);
   switch (kind) {
     case FileKind::Npy:
       return parse_npy(bytes, source, find);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "data/formats/read_text.hpp"
 
+#include "core/base/utf16.hpp"
 #include "text_rows.hpp"
 
 namespace lacuna {
@@ -20,9 +21,10 @@ Table parse_text_table(std::string_view text, const std::string& source) {
 }
 
 Table parse_text(std::string_view text, const std::string& source, const TimeFinder& find) {
+  if (auto decode = Utf16Decoder::for_text(text)) return parse_text((*decode)(text), source, find);
   TextRows rows(format_of(text, source), source, find);
   Table table = rows.columns();
-  rows.read(text, table);
+  rows.read(text, table, true);
   rows.finish();
   table.notes = rows.columns().notes;
   return table;

@@ -39,6 +39,7 @@ struct OpenedFile {
   explicit OpenedFile(const std::filesystem::path& path);
 
   std::filesystem::path path;
+  std::optional<std::string> sheet;  ///< of a workbook
   std::string source;  ///< name for messages
   ByteStream stream;
   std::string begin;  ///< what has been read from the stream: 1 MiB, or all where there is less
@@ -59,7 +60,8 @@ struct BlockSizes {
 /// Blocks for a reader that may take so many bytes in all.
 BlockSizes block_sizes(std::size_t memory);
 
-/// The rows of a text or of an HDF5 file.
+/// The rows of a text or of an HDF5 file; of a workbook, which is packed, all of them at once,
+/// where its text takes no more than half of the memory.
 /// @param memory that reading may take, in bytes.
 /// @param find the time, which is counted from its first value where doubles do not hold it.
 /// @throws FileError, DataError as read_table(); DataError for what cannot be read in blocks.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <utility>
 
+#include "core/base/utf16.hpp"
 #include "lacuna/core/base/error.hpp"
 #include "row_blocks.hpp"
 #include "text_rows.hpp"
@@ -14,6 +15,8 @@ class PartOfText {
   PartOfText(std::unique_ptr<OpenedFile> file, BlockSizes sizes)
       : file_(std::move(file)), sizes_(sizes), text_(std::exchange(file_->begin, {})) {
     is_all_ = text_.size() < TextFormat::kBegin;
+    decode_ = Utf16Decoder::for_text(text_);
+    if (decode_) text_ = (*decode_)(text_);
   }
 
   const OpenedFile& file() const { return *file_; }
@@ -27,21 +30,21 @@ class PartOfText {
   /// Adds so many bytes.
   /// @throws DataError where that is more than a line may have.
   void add(std::size_t count) {
-    const std::size_t before = text_.size();
-    if (before > sizes_.longest)
+    if (text_.size() > sizes_.longest)
       throw DataError(file_->source,
                       "a line, or what is in front of the numbers, has more than " +
                           std::to_string(sizes_.longest >> 10U) + " kB",
                       "check that it is a record; raise --memory, or leave it out");
-    text_.resize(before + count);
-    const std::size_t added = file_->stream.read({text_.data() + before, count});
-    text_.resize(before + added);
-    is_all_ = added < count;
+    std::string bytes(count, '\0');
+    bytes.resize(file_->stream.read(bytes));
+    is_all_ = bytes.size() < count;
+    text_ += decode_ ? (*decode_)(bytes) : bytes;
   }
 
  private:
   std::unique_ptr<OpenedFile> file_;
   BlockSizes sizes_;
+  std::optional<Utf16Decoder> decode_;
   std::string text_;
   bool is_all_ = false;
 };
@@ -71,8 +74,9 @@ class TextBlocks final : public RowBlocks {
       part_.add(block_);
       lines = available();
     }
-    rows_.read(lines, block);
     has_ended_ = part_.is_all();
+    rows_.read(lines, block, has_ended_ && is_first_);
+    is_first_ = false;
     if (has_ended_) rows_.finish();
     part_.drop(lines.size());
     return true;
@@ -90,6 +94,7 @@ class TextBlocks final : public RowBlocks {
   PartOfText part_;
   std::size_t block_;
   TextRows rows_;
+  bool is_first_ = true;
   bool has_ended_ = false;
 };
 

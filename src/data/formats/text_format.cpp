@@ -4,6 +4,7 @@
 #include <set>
 #include <vector>
 
+#include "data/logs/damage.hpp"
 #include "data/records/text_field.hpp"
 #include "lacuna/core/base/error.hpp"
 #include "text_rows.hpp"
@@ -11,14 +12,18 @@
 namespace lacuna {
 namespace {
 
+/// A few stray bytes are damage of their lines; more are no text.
 void check_is_text(std::string_view text, const std::string& source) {
   constexpr std::size_t kLooked = 4096;
-  const std::string_view mark = text.substr(0, 2);
-  if (mark == "\xFF\xFE" || mark == "\xFE\xFF")
-    throw DataError(source, "the text is encoded as UTF-16", "save it as UTF-8 or plain text");
-  if (text.substr(0, kLooked).find('\0') != std::string_view::npos)
-    throw DataError(source, "the file is binary, not text",
-                    "give delimited text (.csv, .txt, .gz) or NumPy's .npy");
+  constexpr double kMost = 0.01;  // of the bytes; in packed and other binary files it is 0.1
+  const std::string_view looked = text.substr(0, kLooked);
+  const auto stray =
+      static_cast<double>(std::count_if(looked.begin(), looked.end(), is_stray_byte));
+  if (looked.find('\0') != std::string_view::npos &&
+      stray > kMost * static_cast<double>(looked.size()))
+    throw DataError(source, "the file is binary, not text: it has bytes of zero",
+                    "give delimited text (.csv, .txt, .gz) or NumPy's .npy; save UTF-16 with "
+                    "its byte order mark, or as UTF-8");
 }
 
 /// So many lines, or all.

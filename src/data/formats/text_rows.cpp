@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "data/logs/channel_clocks.hpp"
 #include "data/records/text_field.hpp"
 #include "lacuna/core/base/error.hpp"
 
@@ -42,6 +43,7 @@ class RowReader {
         line_end_(layout.line_end),
         style_(style),
         counted_(style.time.value_or(-1)),
+        is_plain_(!style.time || style.clocks.empty()),
         table_(table),
         columns_(static_cast<Index>(layout.columns())),
         line_(line),
@@ -70,7 +72,8 @@ class RowReader {
 
   void read_line() {
     const char* begin = cursor_;
-    const bool read = delimiter_ == ' ' ? read_numbers<true>() : read_numbers<false>();
+    const bool read = is_plain_ && (delimiter_ == ' ' ? read_numbers<true>()
+                                                      : read_numbers<false>());
     if (!read) {
       const char* stop = std::find(begin, end_, line_end_);
       cursor_ = stop == end_ ? end_ : stop + 1;
@@ -153,7 +156,7 @@ class RowReader {
       if (found.kind == TextField::Kind::Text) fail_text(field, column);
       if (is_doubtful(field)) fail_comma(field, column);
       table_.values(row_, column) =
-          column == counted_ ? counted(field, found.value) : found.value;
+          style_.is_counted(column) ? counted(field, found.value) : found.value;
     }
     return true;
   }
@@ -214,6 +217,7 @@ class RowReader {
   char line_end_;
   const NumberStyle& style_;
   Index counted_;  ///< column of times that are counted; -1 where there is none
+  bool is_plain_;  ///< no more than one column is counted
   Table& table_;
   Index columns_;
   std::size_t line_;
@@ -242,7 +246,8 @@ Table columns_of(const TextFormat& format, const std::string& source) {
   if (header == 0U) header.reset();
   name_columns(table, format.layout.headers, header);
   if (!format.dialect) return table;
-  table.notes.insert(table.notes.begin(), source + ": " + format.dialect->note);
+  if (!format.dialect->note.empty())
+    table.notes.insert(table.notes.begin(), source + ": " + format.dialect->note);
   table.run_column = format.dialect->run_column;
   return table;
 }
@@ -269,6 +274,7 @@ NumberStyle style_of(const TextFormat& format, const TimeFinder& find, Table& ta
   if (format.dialect) {
     style.first_own = format.dialect->makes_first ? 1 : 0;
     style.places = format.dialect->places;
+    style.clocks = format.dialect->clocks;
     if (format.dialect->delimiter != '\0') style.delimiter = format.dialect->delimiter;
   }
   std::vector<Stamp> times;
@@ -295,9 +301,30 @@ TextRows::TextRows(TextFormat format, const std::string& source, const TimeFinde
       columns_(columns_of(format_, source)),
       skipped_(format_.layout.data_begin),
       line_(line_in_file(format_.layout.data_line, format_)),
-      style_(style_of(format_, find, columns_)) {}
+      style_(style_of(format_, find, columns_)) {
+  file_columns_ = columns_;
+  if (!style_.clocks.empty())
+    columns_ = without_further_clocks(std::move(columns_), style_.clocks);
+}
 
-void TextRows::read(std::string_view lines, Table& table) {
+void TextRows::read(std::string_view lines, Table& table, bool is_all) {
+  if (style_.clocks.empty()) return read_lines(lines, table);
+  Table rows = file_columns_;
+  read_lines(lines, rows);
+  const bool is_one = are_one_clock(rows, style_.clocks);
+  if (!is_one && !is_all)
+    throw DataError(columns_.source,
+                    "channels with times of their own cannot be read in pieces",
+                    "leave out --memory");
+  rows = with_one_clock(rows, style_.clocks);
+  table.values = std::move(rows.values);
+  table.lines = std::move(rows.lines);
+  clocks_note_ = is_one ? "all channels have the same times"
+                        : "channels have times of their own; there is a row for each of the " +
+                              std::to_string(table.values.rows()) + " times";
+}
+
+void TextRows::read_lines(std::string_view lines, Table& table) {
   std::string plain;
   if (format_.dialect) {
     if (skipped_ > 0) plain = format_.dialect->header;
@@ -314,9 +341,11 @@ void TextRows::read(std::string_view lines, Table& table) {
 void TextRows::finish() {
   std::vector<std::string> notes =
       notes_of_damage(bad_, samples_, last_sample_, columns_.source);
-  std::vector<std::string> ends = ends_.notes(columns_);
+  std::vector<std::string> ends = ends_.notes(file_columns_);
   std::move(notes.begin(), notes.end(), std::back_inserter(columns_.notes));
   std::move(ends.begin(), ends.end(), std::back_inserter(columns_.notes));
+  if (!clocks_note_.empty())
+    columns_.notes.push_back(columns_.source + ": " + clocks_note_);
 }
 
 }  // namespace lacuna

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -36,6 +37,13 @@ struct NumberStyle {
   std::optional<Index> time;  ///< column of times that are counted from the first one
   Stamp origin = 0;           ///< that one
   std::vector<std::size_t> places = {};  ///< of the columns in the file, from 0, if others
+  std::vector<Index> clocks = {};        ///< columns of times where channels have their own
+
+  /// Whether a column is counted from the origin.
+  bool is_counted(Index column) const {
+    return time && (column == *time ||
+                    std::find(clocks.begin(), clocks.end(), column) != clocks.end());
+  }
 
   std::size_t place_of(Index column) const {
     const auto index = static_cast<std::size_t>(column);
@@ -71,8 +79,9 @@ class TextRows {
   /// @param lines whole ones, or the rest of the text; the first ones are those in which the
   ///   format was found.
   /// @throws DataError naming source, line and column of a comma that may stand for decimals or
-  ///   for thousands, and of a ragged line or text in a column where there are very many.
-  void read(std::string_view lines, Table& table);
+  ///   for thousands, and of a ragged line or text in a column where there are very many; where
+  ///   channels have times of their own and these are not all lines.
+  void read(std::string_view lines, Table& table, bool is_all = false);
 
   /// Notes in columns(), behind all lines, which lines were no samples.
   /// @throws DataError naming the first line that cannot be read where there are too many
@@ -80,12 +89,16 @@ class TextRows {
   void finish();
 
  private:
+  void read_lines(std::string_view lines, Table& table);
+
   TextFormat format_;
   Table columns_;
+  Table file_columns_;   ///< with the times of single channels
   std::size_t skipped_;  ///< bytes in front of the rows
   std::size_t line_;     ///< number of the next line in the file
   NumberStyle style_;
   std::vector<BadLine> bad_ = {};
+  std::string clocks_note_ = {};
   RangeEnds ends_ = {};
   std::size_t samples_ = 0, last_sample_ = 0;  ///< lines read, number of the last one
 };

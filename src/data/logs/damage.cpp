@@ -28,11 +28,7 @@ bool names_a_summary(std::string_view field) {
 }
 
 bool has_stray_bytes(std::string_view line) {
-  const bool control = std::any_of(line.begin(), line.end(), [](char c) {
-    const auto code = static_cast<unsigned char>(c);
-    return (code < 0x20U && c != '\t' && c != '\r') || code == 0x7FU;
-  });
-  return control || !is_utf8(line);
+  return std::any_of(line.begin(), line.end(), is_stray_byte) || !is_utf8(line);
 }
 
 std::string_view first_field(std::string_view line) {
@@ -64,6 +60,11 @@ void note_few(const std::vector<BadLine>& lines, BadLine::Kind kind, double most
 }
 
 }  // namespace
+
+bool is_stray_byte(char byte) {
+  const auto code = static_cast<unsigned char>(byte);
+  return (code < 0x20U && byte != '\t' && byte != '\r' && byte != '\n') || code == 0x7FU;
+}
 
 bool is_summary(std::string_view line) { return names_a_summary(first_field(line)); }
 

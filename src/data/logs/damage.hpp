@@ -25,6 +25,9 @@ struct BadLine {
   DataError error;         ///< why it cannot be read
 };
 
+/// Whether no text has such a byte: a control other than tab and line end.
+bool is_stray_byte(char byte);
+
 /// The kind of a line that cannot be read.
 /// @param has_end whether there is a line end behind it.
 /// @param is_short whether it has fewer fields than the others.

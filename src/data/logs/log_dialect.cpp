@@ -8,6 +8,7 @@
 #include "data/formats/dialects.hpp"
 #include "data/logs/log_layout.hpp"
 #include "data/records/text_field.hpp"
+#include "data/times/time_names.hpp"
 #include "data/units/units.hpp"
 
 namespace lacuna::dialects {
@@ -131,6 +132,29 @@ std::string left_out(const LogLayout& layout, Use use, const std::string& what) 
          " and left out";
 }
 
+/// Where the columns of the table stand in the file, from 0.
+std::vector<std::size_t> places_of(const LogLayout& layout) {
+  std::vector<std::size_t> places;
+  if (layout.time_parts > 0) places.push_back(layout.time);
+  for (std::size_t i = 0; i < layout.columns.size(); ++i)
+    if (layout.columns[i].is_kept()) places.push_back(i);
+  return places;
+}
+
+/// Columns of the table that are times of channels; none where all have the first one's.
+std::vector<Index> clocks_of(const LogLayout& layout) {
+  std::vector<Index> clocks;
+  std::optional<Index> first;
+  const std::vector<std::size_t> places = places_of(layout);
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const LogColumn& column = layout.columns[places[i]];
+    if (!first && names_time(column.name)) first = static_cast<Index>(i);
+    if (column.use == Use::Clock) clocks.push_back(static_cast<Index>(i));
+  }
+  if (!clocks.empty()) clocks.insert(clocks.begin(), first.value());
+  return clocks;
+}
+
 std::string note_of(const LogLayout& layout) {
   std::vector<std::string> parts;
   if (layout.time_parts > 0)
@@ -141,25 +165,16 @@ std::string note_of(const LogLayout& layout) {
                                                            : "day/month/year"));
   for (const auto& [use, what] :
        {std::pair{Use::Text, "text"}, std::pair{Use::Blank, "blank"},
-        std::pair{Use::Count, "the number of the line"},
-        std::pair{Use::Repeat, "the same times again"}})
+        std::pair{Use::Count, "the number of the line"}})
     if (std::string part = left_out(layout, use, what); !part.empty())
       parts.push_back(std::move(part));
   const bool any_quantity =
       std::any_of(layout.columns.begin(), layout.columns.end(),
                   [](const LogColumn& column) { return column.use == Use::Quantity; });
   if (any_quantity) parts.emplace_back("numbers are read without the units and names beside them");
-  if (parts.empty()) parts.emplace_back("names are read from two lines");
+  if (parts.empty() && clocks_of(layout).empty())
+    parts.emplace_back("names are read from two lines");
   return join(parts, "; ");
-}
-
-/// Where the columns of the table stand in the file, from 0.
-std::vector<std::size_t> places_of(const LogLayout& layout) {
-  std::vector<std::size_t> places;
-  if (layout.time_parts > 0) places.push_back(layout.time);
-  for (std::size_t i = 0; i < layout.columns.size(); ++i)
-    if (layout.columns[i].is_kept()) places.push_back(i);
-  return places;
 }
 
 }  // namespace
@@ -171,6 +186,7 @@ std::optional<TextDialect> log_of_device(std::string_view begin) {
                       layout->delimiter};
   dialect.places = places_of(*layout);
   dialect.makes_first = layout->time_parts > 0;
+  dialect.clocks = clocks_of(*layout);
   return dialect;
 }
 

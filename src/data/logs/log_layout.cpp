@@ -186,6 +186,10 @@ std::optional<Candidate> candidate(std::string_view begin, char delimiter) {
   const auto good = std::count_if(
       found.samples.begin(), found.samples.end(),
       [&](const LogLine& line) { return is_sample(line, found.columns); });
+  // What the lines at the end lack may be there before: channels have lengths of their own.
+  for (std::size_t i = 0; i < count; ++i)
+    if (found.columns[i].use == Use::Blank && !found.samples.empty())
+      found.columns[i] = column_of(count_cells(found.samples, i), "");
   if (found.samples.empty() ||
       static_cast<double>(good) < kUsual * static_cast<double>(found.samples.size()))
     return std::nullopt;
@@ -276,19 +280,18 @@ bool counts_lines(const Candidate& found, std::size_t column) {
   return found.samples.size() > 1;
 }
 
-/// Times that stand in the file again, for another channel.
-bool repeats(const Candidate& found, std::size_t column, std::size_t earlier) {
-  return std::all_of(found.samples.begin(), found.samples.end(), [&](const LogLine& line) {
-    return line.cells[column] == line.cells[earlier];
-  });
-}
-
-void find_repeats(const Candidate& found, std::vector<LogColumn>& columns) {
-  for (std::size_t i = 0; i < columns.size(); ++i)
-    for (std::size_t j = 0; j < i; ++j)
-      if (columns[i].is_kept() && columns[j].is_kept() && columns[i].name == columns[j].name &&
-          names_time(columns[i].name) && repeats(found, i, j))
-        columns[i].use = Use::Repeat;
+/// Columns of times with the name of an earlier one belong to the channels behind them.
+void find_further_clocks(std::vector<LogColumn>& columns) {
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    const auto first = std::find_if(columns.begin(), columns.end(), [&](const LogColumn& other) {
+      return other.is_kept() && other.name == columns[i].name;
+    });
+    const auto number = static_cast<std::size_t>(first - columns.begin());
+    if (number < i && columns[i].is_kept() && names_time(columns[i].name)) {
+      columns[i].use = Use::Clock;
+      columns[i].name += "_" + std::to_string(i + 1);
+    }
+  }
 }
 
 bool is_plain_column(const LogColumn& column) { return column.use == Use::Number; }
@@ -327,7 +330,7 @@ std::optional<LogLayout> find_log_layout(std::string_view begin) {
     if (line.number < layout.before) before.push_back(line.cells);
   name_log_columns(before, layout);
   best->columns = layout.columns;
-  find_repeats(*best, layout.columns);
+  find_further_clocks(layout.columns);
   for (std::size_t i = 0; i < layout.time && layout.time_parts > 0; ++i)
     if (layout.columns[i].use == Use::Number && counts_lines(*best, i))
       layout.columns[i].use = Use::Count;

@@ -22,14 +22,16 @@ struct LogColumn {
     Blank,     ///< left out: nothing stands in it
     Label,     ///< left out: the name of the next one
     Count,     ///< left out: it counts the lines in front of a clock
-    Repeat,    ///< left out: the times of another one again
+    Clock,     ///< kept: times of the channels behind it, as the first one has others
   };
   Use use = Use::Number;
   std::string name = {};  ///< as in the header, or the label of its cells; may be empty
   std::string unit = {};   ///< of its cells
   std::string label = {};  ///< in its cells
 
-  bool is_kept() const { return use == Use::Number || use == Use::Quantity; }
+  bool is_kept() const {
+    return use == Use::Number || use == Use::Quantity || use == Use::Clock;
+  }
 };
 
 /// The layout of a log.

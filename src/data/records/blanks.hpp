@@ -24,4 +24,12 @@ FilledTable fill_blanks(Table table, const std::vector<Index>& columns);
 /// nothing. @return nothing where two such rows follow one another, or there are fewer than 4.
 std::optional<Table> common_rows(const Table& table, const std::vector<Index>& columns);
 
+/// Where no two rows that follow one another are complete, as channels have times of their own:
+/// the rows of the column that has most values, between the first and the last at which all have
+/// some; the others have what the cubic through their nearest values has there.
+/// @param time column of it. @return nothing where a column has fewer than 8 values, or the time
+/// does not increase from row to row.
+std::optional<Table> rows_of_densest(const Table& table, Index time,
+                                     const std::vector<Index>& columns);
+
 }  // namespace lacuna

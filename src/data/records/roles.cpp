@@ -260,6 +260,19 @@ Trajectory take_record(const Table& table, const ColumnIndices& columns,
   return record;
 }
 
+namespace {
+
+/// Rows in which all channels have a value, where they have rates or times of their own.
+std::optional<Table> rows_of_all(const Table& table, const ColumnIndices& columns) {
+  auto common = common_rows(table, columns.used());
+  if (common || !columns.time || columns.trajectory) return common;
+  std::vector<Index> channels = columns.used();
+  std::erase(channels, *columns.time);
+  return rows_of_densest(table, *columns.time, channels);
+}
+
+}  // namespace
+
 Dataset assign_roles(const Table& given, const ColumnRoles& roles) {
   const ColumnIndices columns = find_columns(given, roles);
   const std::optional<Table> once = without_repeated_times(given, columns);
@@ -267,7 +280,7 @@ Dataset assign_roles(const Table& given, const ColumnRoles& roles) {
   std::optional<FilledTable> filled;
   if (roles.blanks != Blanks::Cut) filled = fill_blanks(distinct, columns.states);
   std::optional<Table> common;
-  if (!filled) common = common_rows(distinct, columns.used());
+  if (!filled) common = rows_of_all(distinct, columns);
   const Table& table = filled ? filled->table : common ? *common : distinct;
   Dataset data;
   data.notes = table.notes;

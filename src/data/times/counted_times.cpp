@@ -30,7 +30,9 @@ void note_epoch(Table& table, const TimeColumn& time, double first) {
   for (const UnitOfEpoch& one : kUnits) {
     const double year = 1970.0 + first * one.seconds / kYear;
     if (year < kEarliest || year > kLatest) continue;
-    table.notes.push_back(table.source + ": its times look like " + one.name +
+    // In front of all others: the answer is in the wrong unit until somebody says it.
+    table.notes.insert(table.notes.begin(),
+                       table.source + ": its times look like " + one.name +
                           " since 1970 (year " + format_number(std::floor(year)) +
                           "), and nobody says their unit; give --time-unit " + one.unit +
                           " if they are");

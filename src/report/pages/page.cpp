@@ -22,6 +22,11 @@ Markup fact_markup(const Fact& fact) {
   return element("div", {{"class", "fact"}}, inner);
 }
 
+/// What may be wider than a screen scrolls by itself, by the keyboard too.
+Markup scrolled(const std::string& kind, const Markup& content) {
+  return element("div", {{"class", kind}, {"tabindex", "0"}}, content);
+}
+
 Markup first_screen(const Page& page) {
   Markup all = element("p", {{"class", "kind"}}, Markup::text(page.title)) +
                element("h1", {{"class", tone_class(page.tone)}}, Markup::text(page.headline));
@@ -30,14 +35,14 @@ Markup first_screen(const Page& page) {
   Markup facts;
   for (const Fact& fact : page.facts) facts += fact_markup(fact);
   if (!facts.empty()) all += element("dl", {{"class", "facts"}}, facts);
-  if (!page.equations.empty()) all += element("div", {{"class", "equations"}}, page.equations);
+  if (!page.equations.empty()) all += scrolled("equations", page.equations);
   return element("header", all);
 }
 
 Markup figures(const PageSection& section) {
   Markup all;
   for (const Picture& picture : section.pictures)
-    all += element("figure", {{"id", picture.name}}, picture.svg);
+    all += element("figure", {{"id", picture.name}, {"tabindex", "0"}}, picture.svg);
   return all;
 }
 
@@ -114,9 +119,8 @@ Markup table(const std::vector<std::string>& heads,
   };
   Markup body;
   for (const auto& row : rows) body += cells("td", row);
-  return element(
-      "div", {{"class", "wide"}},
-      element("table", element("thead", cells("th", heads)) + element("tbody", body)));
+  return scrolled("wide",
+                  element("table", element("thead", cells("th", heads)) + element("tbody", body)));
 }
 
 Markup bullets(const std::vector<std::string>& sentences) {

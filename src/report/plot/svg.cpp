@@ -103,7 +103,8 @@ Markup drawing(const std::string& title, const std::string& kind, double width, 
                   {"width", pixels(width)},
                   {"height", pixels(height)},
                   {"class", "picture " + kind},
-                  {"role", "img"}},
+                  // What can be pressed is no part of an image.
+                  {"role", kind == "lines" ? "group" : "img"}},
                  element("title", Markup::text(title)) + content);
 }
 

@@ -29,6 +29,7 @@ TEST(Cli, VersionIsTold) {
 TEST(Cli, BadArgumentsAreOneLineAndStatus2) {
   expect_failure(run_command({}), 2, {"command line", "--help"});
   expect_failure(run_command({"identfy"}), 2, {"identfy", "identify"});
+  expect_failure(run_command({"report"}), 2, {"'report' is an option, as in `lacuna ", "--report"});
   expect_failure(run_command({"identify"}), 2, {"DATA", "lacuna identify --help"});
   expect_failure(run_command({"identify", "a.csv", "--degre", "3"}), 2,
                  {"--degre", "--degree"});

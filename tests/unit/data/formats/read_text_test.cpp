@@ -111,8 +111,32 @@ TEST(ReadText, RefusesDuplicateNames) {
 TEST(ReadText, RefusesWhatIsNoText) {
   expect_error<DataError>([] { parse(std::string("t,x\n0,\0\n", 8)); }, "a.csv", "binary",
                           ".npy");
-  expect_error<DataError>([] { parse(std::string("\xFF\xFEt\0", 4)); }, "a.csv", "UTF-16",
-                          "UTF-8");
+  std::string all;
+  for (int i = 0; i < 5120; ++i) all += static_cast<char>(i % 256);
+  expect_error<DataError>([&] { parse(all); }, "a.csv", "binary", "UTF-16");
+}
+
+/// As the "Unicode text" of Excel; big-endian as others write it.
+TEST(ReadText, ReadsUtf16) {
+  for (const bool low_first : {true, false}) {
+    std::string text = low_first ? "\xFF\xFE" : "\xFE\xFF";
+    for (const char byte : std::string("t,\xFC\n0,1\n2,3\n"))
+      text += low_first ? std::string{byte, '\0'} : std::string{'\0', byte};
+    const Table table = parse(text);
+    EXPECT_EQ(table.headers[1], "\u00fc");
+    EXPECT_EQ(table.values.col(1), Eigen::Vector2d(1.0, 3.0));
+  }
+}
+
+TEST(ReadText, AFewBytesOfZeroAreDamageOfTheirLine) {
+  std::string text = "t,x\n";
+  for (int i = 0; i < 100; ++i) text += std::to_string(i) + "," + std::to_string(i * i) + "\n";
+  text.insert(text.find("50,2500") + 3, 2, '\0');
+  const Table table = parse(text);
+  EXPECT_EQ(table.values.rows(), 99);
+  ASSERT_EQ(table.notes.size(), 1u);
+  EXPECT_NE(table.notes[0].find("a.csv:52: 1 line with bytes that no text has"),
+            std::string::npos);
 }
 
 TEST(ReadText, ACommaThatMayStandForThousandsIsRefused) {

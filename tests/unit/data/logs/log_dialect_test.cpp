@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include "data/formats/read_text.hpp"
+#include "data/formats/text_rows.hpp"
+#include "data/times/counted_times.hpp"
 #include "lacuna/core/base/error.hpp"
 #include "support/expect_error.hpp"
 
@@ -88,9 +90,37 @@ TEST(LogDialect, ChannelsWithTheirTimes) {
       "20\t5\t20\t6\n");
   EXPECT_THAT(columns_of(table), ElementsAre("Time [ms]", "x", "y"));
   EXPECT_EQ(table.values.col(2), Eigen::Vector3d(2.0, 4.0, 6.0));
-  testing::expect_error<DataError>(
-      [] { table_of("Time;x;Time;y\n0;1;0;2\n1;3;2;4\n2;5;4;6\n"); }, "log.csv:1:3",
-      "both named 'Time'", "");
+  EXPECT_THAT(notes_of(table), HasSubstr("all channels have the same times"));
+}
+
+TEST(LogDialect, ChannelsWithTimesOfTheirOwn) {
+  const Table table = table_of("Time;x;Time;y\n0;1;0;2\n1;3;2;4\n2;5;4;6\n3;7;;\n");
+  EXPECT_THAT(columns_of(table), ElementsAre("Time", "x", "y"));
+  EXPECT_EQ(table.values.col(0), (Vector{{0.0, 1.0, 2.0, 3.0, 4.0}}));
+  EXPECT_EQ(table.values(Eigen::seq(0, 3), 1), Eigen::Vector4d(1.0, 3.0, 5.0, 7.0));
+  EXPECT_EQ(table.values({0, 2, 4}, 2), Eigen::Vector3d(2.0, 4.0, 6.0));
+  EXPECT_TRUE(table.values({1, 3}, 2).array().isNaN().all());
+  EXPECT_THAT(notes_of(table), HasSubstr("a row for each of the 5 times"));
+}
+
+/// The second channel ends early: nothing of it is in the lines that show the columns.
+TEST(LogDialect, AChannelThatEndsEarlyIsRead) {
+  std::string text = "Time;x;Time;y\n";
+  for (int i = 0; i < 40; ++i)
+    text += std::to_string(i) + ";1;" + (i < 10 ? std::to_string(4 * i) + ";2\n" : ";\n");
+  const Table table = table_of(text);
+  EXPECT_THAT(columns_of(table), ElementsAre("Time", "x", "y"));
+  EXPECT_EQ(table.values.rows(), 40);
+  EXPECT_EQ(table.values(36, 2), 2.0);
+}
+
+TEST(LogDialect, TimesOfChannelsBeyondDoublesAreCountedFromTheFirst) {
+  const std::string text =
+      "Time;x;Time;y\n133448448000000001;1;133448448000000002;2\n"
+      "133448448000000003;3;133448448000000004;4\n";
+  const Table table =
+      parse_text(text, "log.csv", [](const Table&) { return TimeColumn{0, true}; });
+  EXPECT_EQ(table.values.col(0), Eigen::Vector4d(0.0, 1.0, 2.0, 3.0));
 }
 
 TEST(LogDialect, TimesOfManyProgramsInAnyColumn) {

@@ -55,12 +55,12 @@ TEST(LogLayout, DateTimeAndZoneInThreeColumns) {
   EXPECT_EQ(layout->time_parts, 3u);
 }
 
-TEST(LogLayout, TheTimesOfEachChannelAreOneWhereTheyAreTheSame) {
+TEST(LogLayout, TimesWithTheNameOfOthersAreClocksOfTheirChannels) {
   const auto layout = find_log_layout("Time;x;Time;y\n0;1;0;2\n1;2;1;4\n2;4;2;5\n");
   ASSERT_TRUE(layout);
   EXPECT_THAT(uses_of(layout),
-              ElementsAre(Use::Number, Use::Number, Use::Repeat, Use::Number));
-  EXPECT_FALSE(find_log_layout("Time;x;Time;y\n0;1;0;2\n1;2;2;4\n2;4;4;5\n"));
+              ElementsAre(Use::Number, Use::Number, Use::Clock, Use::Number));
+  EXPECT_EQ(layout->columns[2].name, "Time_3");
 }
 
 TEST(LogLayout, WordsAmongNumbersAreNoColumnOfText) {

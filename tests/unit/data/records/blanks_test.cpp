@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 
 #include "lacuna/data/records/marks.hpp"
@@ -88,6 +89,42 @@ TEST(AssignRoles, AStateThatIsBlankIsMarkedAndAnInputCuts) {
   EXPECT_EQ(mark_of(data.trajectories[0].marks, 3, 0), Mark::Missing);
   EXPECT_EQ(mark_of(data.trajectories[1].marks, 0, 0), Mark::Missing);
   EXPECT_EQ(mark_of(data.trajectories[1].marks, 1, 0), Mark::Value);
+}
+
+/// x at 0, 0.1, ..., y in between: no row has both.
+Table with_two_clocks(Index samples) {
+  Table table;
+  table.source = "scope.csv";
+  table.columns = {{"t", "s"}, {"x", ""}, {"y", ""}};
+  table.headers = {"t", "x", "y"};
+  table.values = Matrix::Constant(2 * samples, 3, kBlank);
+  for (Index i = 0; i < 2 * samples; ++i) {
+    const double t = 0.05 * static_cast<double>(i);
+    table.values(i, 0) = t;
+    table.values(i, 1 + i % 2) = i % 2 == 0 ? std::cos(t) : t * t * t;
+  }
+  return table;
+}
+
+TEST(RowsOfDensest, OtherChannelsAreInterpolatedAtItsTimes) {
+  const Table table = with_two_clocks(40);
+  const auto even = rows_of_densest(table, 0, {1, 2});
+  ASSERT_TRUE(even);
+  EXPECT_EQ(even->values.rows(), 39) << "the first one is in front of the other channel";
+  EXPECT_DOUBLE_EQ(even->values(0, 0), 0.1);
+  EXPECT_NEAR(even->values(20, 2), std::pow(even->values(20, 0), 3.0), 1e-12);
+  EXPECT_NE(even->notes.back().find("the 39 times of 'x' are used"), std::string::npos);
+  EXPECT_EQ(assign_roles(table, {}).trajectories.at(0).samples(), 39);
+}
+
+TEST(RowsOfDensest, FewValuesOrCompleteRowsAreLeftAlone) {
+  EXPECT_FALSE(rows_of_densest(with_two_clocks(7), 0, {1, 2}));
+  Table table = with_two_clocks(40);
+  table.values.block(3, 1, 2, 2).setOnes();
+  EXPECT_FALSE(rows_of_densest(table, 0, {1, 2})) << "two complete rows follow one another";
+  table = with_two_clocks(40);
+  table.values(9, 0) = 0.0;
+  EXPECT_FALSE(rows_of_densest(table, 0, {1, 2})) << "the time goes backwards";
 }
 
 }  // namespace

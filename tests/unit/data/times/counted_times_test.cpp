@@ -52,6 +52,15 @@ TEST(CountedTimes, RoundingThatIsCoarseForTheStepIsSaid) {
   EXPECT_THAT(notes_of(0.05, 3, 0.02), IsEmpty()) << "sampled at will";
 }
 
+TEST(CountedTimes, AUnitThatNobodySaysIsTheFirstNote) {
+  Table table = table_with(Vector::Zero(2));
+  table.notes = {"a.npy: column 'mode' is text and left out"};
+  const Stamp begin = static_cast<Stamp>(1700000000123456789) * kStampOfOne;
+  const std::vector<Stamp> stamps{begin, begin + kStampOfOne};
+  look_at_times(table, {0, false}, stamps);
+  EXPECT_THAT(table.notes.at(0), HasSubstr("give --time-unit ns"));
+}
+
 TEST(CountedTimes, FloatingNumbersHaveAResolutionToo) {
   const auto notes = [](double origin, double step, double epsilon) {
     Vector times(200);

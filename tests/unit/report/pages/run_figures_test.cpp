@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <map>
 
 namespace lacuna {
 namespace {
@@ -38,6 +39,42 @@ TEST(RunFigures, SayHowFarModelsAreOff) {
   // rms 0.3 and 0.1 over the deviation of a sine, 1 / sqrt(2).
   EXPECT_NEAR(relative_misfit(runs, true), 0.3 * std::sqrt(2.0), 0.01);
   EXPECT_NEAR(relative_misfit(runs, false), 0.1 * std::sqrt(2.0), 0.01);
+}
+
+/// The values of a curve of a picture by their times.
+std::map<double, double> values_of(const Picture& picture, const std::string& label) {
+  std::map<double, double> values;
+  for (const Series& series : std::get<LineFigure>(picture.figure).series)
+    if (series.label.rfind(label, 0) == 0)
+      for (Index i = 0; i < series.x.size(); ++i)
+        if (std::isfinite(series.y[i])) values[series.x[i]] = series.y[i];
+  return values;
+}
+
+TEST(RunFigures, PanelsThatShowTheSameThingAgree) {
+  std::vector<GapRecord> runs{run(200)};
+  GapRecord& one = runs[0];
+  one.measured = (Matrix(200, 3) << one.measured, 2.0 * one.measured, one.before).finished();
+  one.before = one.measured.array() + 0.3;
+  one.after = one.measured.array() * 1.01;
+  const RunView view{runs, {{"x", ""}, {"y", ""}, {"z", ""}}, "s", Vector()};
+  const auto shown = comparison_pictures(view), left = deviation_pictures(view);
+  const Picture orbit = orbit_pictures(view).at(0);
+  const auto& orbits = std::get<OrbitFigure>(orbit.figure).orbits;
+  ASSERT_EQ(shown.size(), 3u);
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto measured = values_of(shown[k], "measured");
+    EXPECT_EQ(measured.size(), 200u);
+    for (const std::string& label : {view.before, view.after}) {
+      const auto model = values_of(shown[k], label), off = values_of(left[k], label);
+      EXPECT_EQ(off.size(), 200u) << label;
+      for (const auto& [time, value] : off)
+        EXPECT_NEAR(measured.at(time) - model.at(time), value, 1e-6) << label << time;
+    }
+    Index row = 0;
+    for (const auto& [time, value] : measured)
+      EXPECT_NEAR(orbits[0].points(row++, static_cast<Index>(k)), value, 1e-6) << time;
+  }
 }
 
 TEST(RunFigures, WindowsAreNotJoined) {
