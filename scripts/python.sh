@@ -1,23 +1,56 @@
 #!/usr/bin/env bash
 # Builds the wheel of the Python package, installs it into a fresh virtual environment and runs its
 # tests there, types, style and notebooks among them.
-# Usage: scripts/python.sh [BUILD]
-#   BUILD   a folder in which the library was built already as a shared one (build/variant), which the
-#           extension then uses; default: a build of its own in build/python
-#   PYTHON  in the environment: the interpreter, 3.10 or later; default python3
+# Usage: scripts/python.sh [--quick | --sanitized] [BUILD]
+#   --quick      leaves out tests that take longest: those marked `slow`
+#   --sanitized  library and extension under clang's address sanitizer; a report is a failure
+#   BUILD        a folder in which the library was built already as a shared one (build/variant), which
+#                the extension then uses; default: a build of its own below build/python
+#   PYTHON       in the environment: interpreters, 3.10 or later, in order; default python3. Each runs
+#                the tests with the wheel of the one before where that is for it too, else with its own
 set -euo pipefail
 cd "$(dirname "$0")/.."
-build=${1:-build/python/cmake}
-python=${PYTHON:-python3}
-tools=build/python/tools fresh=build/python/fresh wheels=build/python/wheels
+mode=
+case ${1:-} in --quick | --sanitized) mode=${1#--}; shift ;; esac
+own=build/python/cmake
+fresh=build/python/fresh wheels=build/python/wheels
+settings=() tests=() preload=
+case $mode in
+  quick) tests=(-m 'not slow') ;;
+  sanitized)
+    own=build/python/sanitized
+    settings=(cmake.define.CMAKE_CXX_COMPILER=clang++ cmake.define.LACUNA_SANITIZE=address
+      cmake.build-type=RelWithDebInfo
+      'cmake.define.CMAKE_CXX_FLAGS_RELWITHDEBINFO=-O1 -gline-tables-only')
+    tests=(-m 'not slow and not measured')
+    # The C++ library too: what it throws is seen from the start.
+    preload="$(clang++ -print-file-name=libclang_rt.asan-x86_64.so) $(clang++ -print-file-name=libstdc++.so.6)"
+    ;;
+esac
+build=${1:-$own}
 
-# What builds the wheel stays, so that what was built before is known to it.
-[ -x $tools/bin/pip ] || "$python" -m venv $tools
-$tools/bin/pip install -q 'scikit-build-core>=0.10' 'nanobind>=3.1'
-rm -rf $fresh $wheels
-$tools/bin/pip wheel . -q --no-deps --no-build-isolation -w $wheels --config-settings=build-dir="$build"
-cmake --build "$build" --target lacuna-cli
+# make_wheel PYTHON: what builds a wheel stays, so that what was built before is known to it.
+make_wheel() {
+  local tools
+  tools=build/python/tools-$("$1" -c 'import sys; print("%d.%d" % sys.version_info[:2])')
+  [ -x "$tools/bin/pip" ] || "$1" -m venv "$tools"
+  "$tools/bin/pip" install -q 'scikit-build-core>=0.10' 'nanobind>=3.1'
+  rm -rf $wheels
+  "$tools/bin/pip" wheel . -q --no-deps --no-build-isolation -w $wheels \
+    --config-settings=build-dir="$build" "${settings[@]/#/--config-settings=}"
+  wheel=$(echo $wheels/lacuna-*.whl)
+}
 
-"$python" -m venv $fresh
-$fresh/bin/pip install -q "$(echo $wheels/lacuna-*.whl)[test]"
-LACUNA_COMMAND=$PWD/$build/lacuna $fresh/bin/python -m pytest python/tests
+wheel=
+for python in ${PYTHON:-python3}; do
+  rm -rf $fresh
+  "$python" -m venv $fresh
+  if [ -z "$wheel" ] || ! $fresh/bin/pip install -q --no-deps "$wheel" 2> /dev/null; then
+    make_wheel "$python"
+  fi
+  $fresh/bin/pip install -q "$wheel[test]"
+  cmake --build "$build" --target lacuna-cli
+  echo "python: $("$python" --version), $(basename "$wheel")"
+  LACUNA_COMMAND=$PWD/$build/lacuna LD_PRELOAD=$preload ASAN_OPTIONS=detect_leaks=0 \
+    $fresh/bin/python -m pytest "${tests[@]}" python/tests
+done

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import copyreg
 import os
 from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
@@ -351,3 +352,12 @@ def _table(place: str, columns: Mapping[str, Any], units: Mapping[str, str]) -> 
     for number, values in enumerate(numbers.values()):
         table.fill(number, values)
     return table
+
+
+def _parts(table: _lacuna.Table) -> tuple[Any, ...]:
+    """What a table is made again of, in another process."""
+    headers = map(_header, table.headers, table.units)
+    return _table, (table.source, dict(zip(headers, table.values.T, strict=True)), {})
+
+
+copyreg.pickle(_lacuna.Table, _parts)

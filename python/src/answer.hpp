@@ -15,6 +15,7 @@
 #include <utility>
 #include <vector>
 
+#include "bindings.hpp"
 #include "call.hpp"
 #include "cli/commands/answers.hpp"
 #include "core/base/text.hpp"
@@ -36,10 +37,12 @@ struct Answer {
   std::string failure = {};  ///< why the numbers do not allow an answer; empty: they do
 };
 
+using Arguments = nb::typed<nb::dict, nb::str, nb::any>;
+
 /// Keyword arguments by their names; each is there or has its default.
 class Given {
  public:
-  explicit Given(nb::dict values) : values_(std::move(values)) {}
+  explicit Given(Arguments values) : values_(std::move(values)) { take_call(); }
 
   template <class Value>
   void take(const char* name, Value& value) const {
@@ -55,20 +58,49 @@ class Given {
 
   bool has(const char* name) const { return values_.contains(name); }
 
+  /// A part written in Python, or each of a list.
+  template <class Part, class Use>
+  void take_own(const char* name, Use use) const {
+    if (!values_.contains(name)) return;
+    for (const nb::handle part : nb::cast<nb::list>(values_[name]))
+      use(nb::cast<const Part&>(part).in(call_.callbacks));
+  }
+
+  const CallOptions& call() const { return call_; }
+
  private:
-  nb::dict values_;
+  void take_call() {
+    take("seed", call_.seed);
+    take("threads", call_.threads);
+    take("progress", call_.progress);
+    take("time_limit", call_.time_limit);
+    if (call_.time_limit && !(*call_.time_limit >= 1e-3 && *call_.time_limit <= 1e9))
+      throw ArgumentError("time_limit", "it is no time from 0.001 to 1e9 seconds",
+                          "give seconds, or leave it out");
+  }
+
+  Arguments values_;
+  CallOptions call_ = {};
 };
 
-inline CallOptions call_options(const Given& given) {
-  CallOptions options;
-  given.take("seed", options.seed);
-  given.take("threads", options.threads);
-  given.take("progress", options.progress);
-  given.take("time_limit", options.time_limit);
-  if (options.time_limit && !(*options.time_limit >= 1e-3 && *options.time_limit <= 1e9))
-    throw ArgumentError("time_limit", "it is no time from 0.001 to 1e9 seconds",
-                        "give seconds, or leave it out");
-  return options;
+/// The value of work that the arguments ask for, kept for the ways in which it is shown.
+template <class Work>
+auto ended(const Given& given, Work work) {
+  return std::make_shared<const decltype(work(std::declval<const RunContext&>()))>(
+      call(given.call(), std::move(work)));
+}
+
+/// The same of what a command answers to a request.
+template <class Request>
+auto answered(const Given& given, Request request) {
+  return ended(given, [request = std::move(request)](const RunContext& context) {
+    if constexpr (requires { answer(registry(), request, context); })
+      return answer(registry(), request, context);
+    else if constexpr (requires { answer(request, context); })
+      return answer(request, context);
+    else
+      return answer(registry(), request);
+  });
 }
 
 inline void take_data(const Given& given, cli::DataOptions& data) {

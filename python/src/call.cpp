@@ -113,6 +113,21 @@ void watch(Exchange& exchange, const nb::object& progress) {
 
 }  // namespace
 
+Callbacks::Entry::Entry(Callbacks& all)
+    : callbacks(all), thread(PyThread_get_thread_ident()) {
+  if (all.is_interrupted_) {
+    PyErr_SetNone(PyExc_KeyboardInterrupt);
+    throw nb::python_error();
+  }
+  all.threads_.insert(thread);
+}
+
+void Callbacks::interrupt() {
+  is_interrupted_ = true;
+  for (const unsigned long thread : threads_)
+    PyThreadState_SetAsyncExc(thread, PyExc_KeyboardInterrupt);
+}
+
 void run_interruptible(const CallOptions& options,
                        std::function<void(const RunContext& context)> work) {
   auto exchange = std::make_shared<Exchange>();
@@ -130,6 +145,7 @@ void run_interruptible(const CallOptions& options,
     watch(*exchange, options.progress);
   } catch (...) {
     stop.request_stop();
+    options.callbacks->interrupt();
     if (exchange->wait(kPatience)) {
       const nb::gil_scoped_release release;
       worker.join();

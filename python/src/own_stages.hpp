@@ -8,6 +8,7 @@
 #include <memory>
 #include <string>
 
+#include "call.hpp"
 #include "lacuna/forms/candidate/effect.hpp"
 #include "lacuna/regression/stages/basis.hpp"
 #include "lacuna/regression/stages/regressor.hpp"
@@ -34,27 +35,44 @@ class Function {
   nb::object function_;
 };
 
-/// Name and function of a part written in Python.
+/// Name and function of a part written in Python, and the call that it is used by.
 class Written {
  public:
   Written(std::string name, nb::object function)
       : name_(std::make_shared<const std::string>(std::move(name))),
         info_{*name_, "Written in Python", ""},
-        function_(std::make_shared<const Function>(std::move(function))) {}
+        function_(std::make_shared<const Function>(std::move(function))),
+        callbacks_(std::make_shared<Callbacks>()) {}
+
+  /// The same, ended by an interrupt of the call that has these.
+  Written in(std::shared_ptr<Callbacks> callbacks) const {
+    Written same = *this;
+    same.callbacks_ = std::move(callbacks);
+    return same;
+  }
 
   const StageInfo& info() const { return info_; }
-  const nb::object& function() const { return function_->get(); }
+
+  /// What the function gives; only with the interpreter's lock.
+  template <class... Arguments>
+  nb::object operator()(const Arguments&... arguments) const {
+    return callbacks_->run([&] { return function_->get()(arguments...); });
+  }
 
  private:
   std::shared_ptr<const std::string> name_;  // info_ refers to it
   StageInfo info_;
   std::shared_ptr<const Function> function_;
+  std::shared_ptr<Callbacks> callbacks_;
 };
 
 /// Terms from names: f(states, inputs) -> formulas.
 class WrittenBasis final : public Basis {
  public:
   explicit WrittenBasis(Written written) : written_(std::move(written)) {}
+  WrittenBasis in(const std::shared_ptr<Callbacks>& callbacks) const {
+    return WrittenBasis(written_.in(callbacks));
+  }
   const StageInfo& info() const override { return written_.info(); }
   void visit_options(OptionVisitor&) const override {}
 
@@ -68,6 +86,9 @@ class WrittenBasis final : public Basis {
 class WrittenRegressor final : public Regressor {
  public:
   explicit WrittenRegressor(Written written) : written_(std::move(written)) {}
+  WrittenRegressor in(const std::shared_ptr<Callbacks>& callbacks) const {
+    return WrittenRegressor(written_.in(callbacks));
+  }
   const StageInfo& info() const override { return written_.info(); }
   void visit_options(OptionVisitor&) const override {}
 
@@ -84,6 +105,9 @@ class WrittenEffect final : public Effect {
   WrittenEffect(Written written, std::string cause)
       : written_(std::move(written)),
         cause_(std::make_shared<const std::string>(std::move(cause))) {}
+  WrittenEffect in(const std::shared_ptr<Callbacks>& callbacks) const {
+    return {written_.in(callbacks), *cause_};
+  }
   const StageInfo& info() const override { return written_.info(); }
   void visit_options(OptionVisitor&) const override {}
 

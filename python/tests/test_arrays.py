@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import gc
-import sys
 from typing import Any
 
 import numpy as np
@@ -150,18 +148,3 @@ def test_any_array_is_read_or_refused(values: np.ndarray, order: str, stride: in
 def test_long_arrays_are_read() -> None:
     t = np.arange(300_000) * 0.01
     assert lacuna.check(np.sin(t), t).records[0].rows == 300_000
-
-
-def test_arrays_are_let_go(samples: Samples) -> None:
-    t, x = samples
-    owned = x.copy()
-    before = sys.getrefcount(owned)
-    records = lacuna.Records(owned, t)
-    for _ in range(20):
-        lacuna.check(records)
-    del records
-    gc.collect()
-    assert sys.getrefcount(owned) == before
-    lent = lacuna.Records(x.copy(), t)  # the array itself is gone
-    gc.collect()
-    assert lacuna.check(lent).to_json() == described(x, t)
