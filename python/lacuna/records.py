@@ -27,7 +27,7 @@ class Records:
 
     Parameters
     ----------
-    data : path, array, frame, or a list of one of these
+    data : path, array, frame, series with a time as index, or a list of one of these
         Paths (or patterns such as ``"run*.csv"``) of files in any format that the command reads.
         Arrays of shape ``(n, m)``: n samples of m states; a list has one record in each. A pandas
         or polars frame, an xarray data set or a mapping has a name for each column. NaN, masked
@@ -95,6 +95,8 @@ class Records:
         self._paths: list[str] = []
         self._tables: list[_lacuna.Table] = []
         records = list(data) if _is_list_of_records(data) else [data]
+        if t is None:
+            records = [_with_coordinates(record) for record in records]
         if not records:
             raise ArgumentError("data", "there is no record", "give at least one")
         is_array = not any(isinstance(one, str | os.PathLike) or _has_names(one) for one in records)
@@ -217,6 +219,17 @@ def _is_frame(data: Any) -> bool:
 
 def _is_xarray(data: Any) -> bool:
     return hasattr(data, "data_vars") and hasattr(data, "coords")
+
+
+def _with_coordinates(data: Any) -> Any:
+    """A series with an index, or an array of xarray, as the frame or data set of its columns."""
+    if hasattr(data, "to_frame") and hasattr(data, "index") and not _is_frame(data):
+        return data.to_frame("x" if data.name is None else data.name)
+    if hasattr(data, "to_dataset") and not _is_xarray(data):
+        if data.ndim == 2:
+            return data.to_dataset(dim=data.dims[1])
+        return data.to_dataset(name="x" if data.name is None else data.name)
+    return data
 
 
 def _has_names(data: Any) -> bool:

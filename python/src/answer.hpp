@@ -46,7 +46,14 @@ class Given {
 
   template <class Value>
   void take(const char* name, Value& value) const {
-    if (values_.contains(name)) value = nb::cast<Value>(values_[name]);
+    if (!values_.contains(name)) return;
+    const nb::object given = values_[name];
+    if (!nb::try_cast(given, value))
+      throw ArgumentError(name,
+                          "a value of the type '" +
+                              nb::cast<std::string>(given.type().attr("__name__")) +
+                              "' cannot be used",
+                          "give what the description of the function names");
   }
 
   /// One by one, as a caster of a vector must not run out of memory.
@@ -62,8 +69,11 @@ class Given {
   template <class Part, class Use>
   void take_own(const char* name, Use use) const {
     if (!values_.contains(name)) return;
-    for (const nb::handle part : nb::cast<nb::list>(values_[name]))
-      use(nb::cast<const Part&>(part).in(call_.callbacks));
+    for (const nb::handle given : nb::cast<nb::list>(values_[name])) {
+      Part part = nb::cast<const Part&>(given);
+      part.written().join(call_.callbacks);
+      use(std::move(part));
+    }
   }
 
   const CallOptions& call() const { return call_; }
@@ -72,7 +82,7 @@ class Given {
   void take_call() {
     take("seed", call_.seed);
     take("threads", call_.threads);
-    take("progress", call_.progress);
+    if (has("progress")) call_.progress = values_["progress"];
     take("time_limit", call_.time_limit);
     if (call_.time_limit && !(*call_.time_limit >= 1e-3 && *call_.time_limit <= 1e9))
       throw ArgumentError("time_limit", "it is no time from 0.001 to 1e9 seconds",

@@ -135,9 +135,11 @@ void run_interruptible(const CallOptions& options,
   RunContext context = make_context(options, exchange, stop.get_token());
   abandoned().add(1);  // until it is seen to end
   std::thread worker(
-      [exchange, context = std::move(context), work = std::move(work)]() mutable {
+      [exchange, context = std::move(context), work = std::move(work),
+       callbacks = options.callbacks]() mutable {
         work_and_report(work, context, *exchange);
         work = nullptr;  // what it keeps alive goes first
+        callbacks->release();
         exchange.reset();
         abandoned().add(-1);
       });

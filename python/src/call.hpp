@@ -9,6 +9,7 @@
 #include <optional>
 #include <set>
 #include <utility>
+#include <vector>
 
 #include "lacuna/core/base/run_context.hpp"
 
@@ -16,7 +17,8 @@ namespace lacuna::python {
 
 namespace nb = nanobind;
 
-/// Functions of Python that a call runs now, by their threads. Only with the interpreter's lock.
+/// Functions of Python that a call may run, and the threads in which they run now. Used with the
+/// interpreter's lock, but for release().
 class Callbacks {
  public:
   /// The value of a function, which ends by KeyboardInterrupt where the call is interrupted.
@@ -27,6 +29,9 @@ class Callbacks {
   }
 
   void interrupt();
+
+  void keep(std::shared_ptr<const void> function) { kept_.push_back(std::move(function)); }
+  void release() { kept_.clear(); }  ///< when the call has ended
 
  private:
   struct Entry {
@@ -41,6 +46,7 @@ class Callbacks {
 
   std::multiset<unsigned long> threads_;
   bool is_interrupted_ = false;
+  std::vector<std::shared_ptr<const void>> kept_;
 };
 
 /// How a call runs: seed, threads, who is informed how far it is (None, or a function of an

@@ -99,12 +99,8 @@ void bind_tables(nb::module_& module) {
 
 }  // namespace lacuna::python
 
-NB_MODULE(_lacuna, module) {
+NB_MODULE(_lacuna_of_process, module) {
   using namespace lacuna::python;
-  if (PyInterpreterState_GetID(PyInterpreterState_Get()) != 0)
-    throw nb::import_error(
-        "lacuna works in the first interpreter of a process only, as NumPy does; use threads or "
-        "multiprocessing");
   module.doc() = "The library in process: arguments in, values out.";
   bind_errors(module);
   bind_tables(module);
@@ -117,4 +113,14 @@ NB_MODULE(_lacuna, module) {
   module.attr("version") = LACUNA_VERSION;
   module.attr("back_ends") = LACUNA_BACK_ENDS;
   module.attr("compiler") = LACUNA_COMPILER;
+}
+
+/// The module in the first interpreter of a process. nanobind has one state for all of them, which
+/// the module of a second one would replace.
+extern "C" NB_EXPORT PyObject* PyInit__lacuna() {
+  if (PyInterpreterState_GetID(PyInterpreterState_Get()) == 0) return PyInit__lacuna_of_process();
+  PyErr_SetString(PyExc_ImportError,
+                  "lacuna works in the first interpreter of a process only, as NumPy does; use "
+                  "threads or multiprocessing");
+  return nullptr;
 }

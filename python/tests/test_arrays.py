@@ -121,6 +121,17 @@ def test_what_cannot_be_used_is_said(arguments: tuple[Any, ...], problem: str) -
     assert raised.value.remedy
 
 
+@pytest.mark.parametrize(
+    "option", [{"degree": "2"}, {"degree": 2.5}, {"discrete": "yes"}, {"terms": [1]}, {"seed": -1}]
+)
+def test_an_option_of_a_wrong_type_is_named(samples: Samples, option: dict[str, Any]) -> None:
+    t, x = samples
+    with pytest.raises((TypeError, ValueError)) as raised:
+        lacuna.identify(x, t, **option)
+    if not isinstance(raised.value, TypeError):
+        assert next(iter(option)) in str(raised.value)
+
+
 finite = st.floats(-1e6, 1e6, width=32)
 shapes = st.tuples(st.integers(0, 40), st.integers(1, 4))
 

@@ -72,20 +72,25 @@ def test_calls_in_threads_have_errors_of_their_own(samples: Samples) -> None:
     assert caught == {number: f"error {number}" for number in range(4)}
 
 
+class OwnError(Exception):
+    pass
+
+
 def test_functions_and_their_errors_are_let_go(samples: Samples) -> None:
-    class Mine(Exception):
-        pass
+    raised: list[weakref.ref[OwnError]] = []
 
     def broken(theta: np.ndarray, y: np.ndarray) -> np.ndarray:
-        raise Mine
+        error = OwnError()
+        raised.append(weakref.ref(error))
+        raise error
 
-    function, error = weakref.ref(broken), weakref.ref(Mine)
-    with pytest.raises(Mine):
+    function = weakref.ref(broken)
+    with pytest.raises(OwnError):
         identified(samples, broken)
-    del broken, Mine
+    del broken
     gc.collect()
     assert function() is None
-    assert error() is None
+    assert raised[0]() is None
 
 
 def test_arrays_that_a_function_keeps_stay(samples: Samples) -> None:

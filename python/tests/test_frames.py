@@ -69,6 +69,18 @@ def test_dates_are_seconds_from_the_first() -> None:
     assert by_index.time_unit == "s"
 
 
+def test_a_series_and_an_array_of_xarray_have_their_times() -> None:
+    t, names = np.arange(50) * 0.25, ["x", "v"]
+    wave = np.column_stack([np.sin(t), np.cos(t)])
+    frame = lacuna.check(pd.DataFrame(wave, columns=names, index=pd.Index(t, name="t")))
+    series = lacuna.check(pd.Series(wave[:, 0], index=pd.to_timedelta(t, unit="s")))
+    array = xr.DataArray(wave, dims=("t", "state"), coords={"t": t, "state": names})
+    assert lacuna.check(array).columns == frame.columns
+    assert lacuna.check(array[:, 0].drop_vars("state").rename("x")).records == frame.records
+    assert series.records == frame.records
+    assert lacuna.check(pd.Series(wave[:, 0]), 0.25).records[0].step == 0.25
+
+
 def test_missing_values_are_gaps() -> None:
     wave = np.sin(0.3 * np.arange(60.0))
     gappy = wave.copy()

@@ -38,8 +38,7 @@ def test_arrays_are_let_go(samples: Samples) -> None:
 
 
 def test_an_array_may_go_or_change_during_a_call(samples: Samples) -> None:
-    t, x = samples
-    mine = np.tile(x, (60, 1))
+    mine = np.tile(samples[1], (12, 1))
     alone = lacuna.identify(mine, 0.05, preset="robust", degree=2).to_json()
     begun = threading.Event()
     found: list[str] = []
@@ -111,7 +110,7 @@ print(len(lacuna.check(small, t).records))
 """
 
 
-@pytest.mark.measured
+@pytest.mark.unsanitized
 @pytest.mark.parametrize(
     "call",
     [
@@ -164,7 +163,7 @@ def resident() -> int:
         return int(file.read().split()[1])
 
 
-@pytest.mark.measured
+@pytest.mark.unsanitized
 def test_nothing_is_kept_over_a_thousand_calls(samples: Samples) -> None:
     """Neither objects of Python, nor memory of its allocator, nor that of the process."""
     calls = every_kind_of_call(samples)

@@ -50,7 +50,7 @@ def test_a_process_forked_during_a_call_answers(samples: Samples) -> None:
         if not status:
             status.append(forked(lambda: bool(lacuna.check(x, t).to_json())))
 
-    many = np.tile(x, (60, 1))
+    many = np.tile(x, (12, 1))
     lacuna.identify(many, 0.05, preset="robust", progress=fork)
     assert status == [0]
 

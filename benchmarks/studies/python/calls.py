@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: MIT
 """What calls of the Python package cost beside the same calls in C++.
 
-    cmake -DLACUNA_BUILD_BENCHMARKS=ON build/python/cmake && ninja -C build/python/cmake study_python
+    cmake -DLACUNA_BUILD_BENCHMARKS=ON build/python/cmake
+    ninja -C build/python/cmake study_python
     build/python/fresh/bin/python benchmarks/studies/python/calls.py \
       build/python/cmake/benchmarks/study_python FOLDER
 
@@ -58,11 +59,13 @@ def call_once(call, file):
 
 
 def numbers_of(*command):
+    """What a program prints."""
     done = subprocess.run(command, capture_output=True, text=True, check=True)
     return [float(word) for word in done.stdout.split()]
 
 
 def record(call, folder):
+    """A file with a noisy orbit of Lorenz' system, as long as the call takes it."""
     import numpy as np
 
     import lacuna
@@ -80,7 +83,9 @@ def compared(call, program, folder, draws):
         (numbers_of(program, call, str(file)), numbers_of(sys.executable, __file__, call, file))
         for _ in range(draws)
     ]
-    (cpp, python) = ([statistics.median(column) for column in zip(*one)] for one in zip(*pairs))
+    cpp, python = (
+        [statistics.median(n) for n in zip(*one, strict=True)] for one in zip(*pairs, strict=True)
+    )
     ratio, added = python[1] / cpp[1], python[2] - cpp[2]
     most, memory = BOUNDS[call]
     verdict = "yes" if ratio <= most and added <= memory else "no"
@@ -98,6 +103,7 @@ def import_seconds(draws):
 
 
 def main():
+    """Write and print the table."""
     reader = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     reader.add_argument("program")
     reader.add_argument("folder", type=pathlib.Path)
