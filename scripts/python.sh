@@ -22,7 +22,8 @@ make_wheel() {
   tools=build/python/tools-$("$1" -c 'import sys; print("%d.%d" % sys.version_info[:2])')
   [ -x "$tools/bin/pip" ] || "$1" -m venv "$tools"
   "$tools/bin/pip" install -q 'scikit-build-core>=0.10' 'nanobind>=3.1'
-  rm -rf $wheels
+  # The settings of a folder are forgotten where it says that other tools were there before.
+  rm -rf $wheels "$build/.skbuild-info.json"
   "$tools/bin/pip" wheel . -q --no-deps --no-build-isolation -w $wheels \
     "${settings[@]/#/--config-settings=}"
   wheel=$(echo $wheels/lacuna-*.whl)

@@ -28,6 +28,9 @@ if [ -n "${CCACHE_DIR:-}" ]; then
   mounts+=("$root$CCACHE_DIR")
   export CCACHE_COMPILERCHECK=content
 fi
+# Behind a proxy with a certificate of its own the packages come by that of this machine.
+cp -L /etc/ssl/certs/ca-certificates.crt "$root/certificates.crt"
+export PIP_CERT=/certificates.crt
 awk '/^```python$/ { inside = 1; next } /^```$/ { inside = 0 } inside' README.md > "$root/readme.py"
 [ -s "$root/readme.py" ]
 

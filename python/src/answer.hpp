@@ -150,8 +150,8 @@ inline std::vector<cli::ModelSource> models_of(const Given& given) {
 /// A value by the name that it has on the command line.
 /// @throws ConfigError that lists the names.
 template <class Value>
-void take_named(const Given& given, const char* name, const std::map<std::string, Value>& values,
-                Value& value) {
+void take_named(const Given& given, const char* name,
+                const std::map<std::string, Value>& values, Value& value) {
   std::string chosen;
   given.take(name, chosen);
   if (chosen.empty()) return;
@@ -159,7 +159,8 @@ void take_named(const Given& given, const char* name, const std::map<std::string
   std::vector<std::string> names;
   for (const auto& [known, one] : values) names.push_back(known);
   if (found == values.end())
-    throw ConfigError(name, "'" + chosen + "' is not known", "give one of " + join(names, ", "));
+    throw ConfigError(name, "'" + chosen + "' is not known",
+                      "give one of " + join(names, ", "));
   value = found->second;
 }
 

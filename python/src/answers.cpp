@@ -106,10 +106,9 @@ Answer fit(const Arguments& arguments) {
 Answer fit_rivals(const Arguments& arguments) {
   const Given given(arguments);
   std::vector<cli::ModelSource> models = models_of(given);
-  auto fits = ended(given, [request = fit_request(given), models = std::move(models)](
-                               const RunContext& context) {
-    return cli::answers(request, models, context);
-  });
+  auto fits = ended(
+      given, [request = fit_request(given), models = std::move(models)](
+                 const RunContext& context) { return cli::answers(request, models, context); });
   auto compared = std::make_shared<const RivalComparison>(compare_fits(*fits));
   const auto best = std::find_if(fits->begin(), fits->end(), [&](const NamedFit& one) {
     return one.name == compared->rivals.front().name;

@@ -17,8 +17,8 @@ namespace lacuna::python {
 
 namespace nb = nanobind;
 
-/// Functions of Python that a call may run, and the threads in which they run now. Used with the
-/// interpreter's lock, but for release().
+/// Functions of Python that a call may run, and the threads in which they run now. Used with
+/// the interpreter's lock, but for release().
 class Callbacks {
  public:
   /// The value of a function, which ends by KeyboardInterrupt where the call is interrupted.
@@ -60,9 +60,9 @@ struct CallOptions {
 };
 
 /// Runs work in a thread of its own without the interpreter's lock while this one looks at
-/// Python's signals. After an interrupt work is asked to stop, and functions of Python in it are
-/// ended; where it has not ended half a second later it is left to end by itself, and nothing of
-/// its result is seen.
+/// Python's signals. After an interrupt work is asked to stop, and functions of Python in it
+/// are ended; where it has not ended half a second later it is left to end by itself, and
+/// nothing of its result is seen.
 /// @param work keeps all that it uses alive itself.
 /// @throws nb::python_error of a signal handler; what work throws.
 void run_interruptible(const CallOptions& options,

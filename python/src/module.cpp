@@ -91,8 +91,9 @@ void bind_tables(nb::module_& module) {
            "Copy an array of any strides into one column.")
       .def_ro("source", &Table::source)
       .def_ro("headers", &Table::headers, "Names of the columns as they were given.")
-      .def_prop_ro("names", [](const Table& self) { return names_of(self.columns); },
-                   "Names of the columns as the library has them.")
+      .def_prop_ro(
+          "names", [](const Table& self) { return names_of(self.columns); },
+          "Names of the columns as the library has them.")
       .def_prop_ro("units", &units_of_columns)
       .def_prop_ro("values", [](const Table& self) { return array_of(self.values); });
 }
@@ -115,10 +116,11 @@ NB_MODULE(_lacuna_of_process, module) {
   module.attr("compiler") = LACUNA_COMPILER;
 }
 
-/// The module in the first interpreter of a process. nanobind has one state for all of them, which
-/// the module of a second one would replace.
+/// The module in the first interpreter of a process. nanobind has one state for all of them,
+/// which the module of a second one would replace.
 extern "C" NB_EXPORT PyObject* PyInit__lacuna() {
-  if (PyInterpreterState_GetID(PyInterpreterState_Get()) == 0) return PyInit__lacuna_of_process();
+  if (PyInterpreterState_GetID(PyInterpreterState_Get()) == 0)
+    return PyInit__lacuna_of_process();
   PyErr_SetString(PyExc_ImportError,
                   "lacuna works in the first interpreter of a process only, as NumPy does; use "
                   "threads or multiprocessing");

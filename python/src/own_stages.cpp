@@ -134,9 +134,9 @@ std::vector<Candidate> WrittenEffect::do_candidates(const Scope& scope, Index eq
   const nb::gil_scoped_acquire acquire;
   const Variables variables = scope.model.variables();
   const nb::object type = nb::module_::import_("lacuna.own").attr("Scope");
-  const nb::object forms = written()(
-      type(variables.states[static_cast<std::size_t>(equation)], variables.states,
-           variables.inputs, ranges_of(scope), scope.step, scope.duration));
+  const nb::object forms =
+      written()(type(variables.states[static_cast<std::size_t>(equation)], variables.states,
+                     variables.inputs, ranges_of(scope), scope.step, scope.duration));
   std::vector<Candidate> candidates;
   for (const nb::handle form : forms) candidates.push_back(candidate_of(form, scope));
   return candidates;

@@ -47,8 +47,9 @@ class Written {
         function_(own_),
         callbacks_(std::make_shared<Callbacks>()) {}
 
-  /// Belongs to the call that has these: they keep the function until the call has ended, so that
-  /// an answer, which has the part too, does not; an interrupt of the call ends the function.
+  /// Belongs to the call that has these: they keep the function until the call has ended, so
+  /// that an answer, which has the part too, does not; an interrupt of the call ends the
+  /// function.
   void join(std::shared_ptr<Callbacks> callbacks) {
     callbacks_ = std::move(callbacks);
     callbacks_->keep(std::exchange(own_, nullptr));
@@ -65,9 +66,7 @@ class Written {
   }
 
   /// The function where no call has it too: Python's garbage collector looks for cycles in it.
-  PyObject* collectable() const {
-    return own_.use_count() == 1 ? own_->get().ptr() : nullptr;
-  }
+  PyObject* collectable() const { return own_.use_count() == 1 ? own_->get().ptr() : nullptr; }
   void clear() { own_.reset(); }
 
  private:

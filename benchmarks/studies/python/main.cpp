@@ -3,6 +3,7 @@
 // Usage: study_python identify|evaluate RECORD.npy
 //        (t, x, y, z in its columns) prints seconds, seconds of all threads, and MB above those
 //        before the call.
+#include <cmath>
 #include <iostream>
 #include <memory>
 
@@ -36,10 +37,10 @@ Reading identify_record(Table table) {
 Reading evaluate_rows(const Table& table) {
   using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
   const Rows states = table.values.rightCols(3);
-  const CompiledModel model = test_system("lorenz").model.compile();
+  CompiledModel model = test_system("lorenz").model.compile();
   const Meter meter;
-  const auto rates =
-      std::make_unique_for_overwrite<double[]>(states.size());  // NOLINT(modernize-avoid-c-arrays)
+  const auto rates = std::make_unique_for_overwrite<double[]>(
+      states.size());  // NOLINT(modernize-avoid-c-arrays)
   for (Index i = 0; i < states.rows(); ++i)
     model.evaluate(0.0, &states(i, 0), nullptr, nullptr, rates.get() + 3 * i);
   const Reading reading = meter.read();
