@@ -38,7 +38,7 @@ class Callbacks {
     explicit Entry(Callbacks& all);
     Entry(const Entry&) = delete;
     Entry& operator=(const Entry&) = delete;
-    ~Entry() { callbacks.threads_.erase(thread); }
+    ~Entry() { callbacks.threads_.erase(callbacks.threads_.find(thread)); }
 
     Callbacks& callbacks;
     unsigned long thread;

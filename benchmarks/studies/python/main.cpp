@@ -6,6 +6,8 @@
 #include <cmath>
 #include <iostream>
 #include <memory>
+#include <string>
+#include <vector>
 
 #include "cli/commands/answers.hpp"
 #include "lacuna/cli/configuration/registry.hpp"
@@ -13,7 +15,6 @@
 #include "lacuna/data/formats/read.hpp"
 #include "lacuna/dynamics/test_systems/test_systems.hpp"
 #include "support/meter.hpp"
-#include "support/settings.hpp"
 
 namespace lacuna::benchmarks {
 namespace {
@@ -48,19 +49,21 @@ Reading evaluate_rows(const Table& table) {
   return reading;
 }
 
-int run(const StudyArguments& arguments) {
-  const std::string call = arguments.at(0);
-  Table table = read_table(arguments.at(1));
-  const Reading reading =
-      call == "identify" ? identify_record(std::move(table)) : evaluate_rows(table);
-  std::cout << reading.wall << ' ' << reading.cpu << ' ' << reading.megabytes << '\n';
-  return 0;
-}
-
 }  // namespace
 }  // namespace lacuna::benchmarks
 
 int main(int argc, char** argv) {
-  return lacuna::benchmarks::study_main(
-      {"python", "identify|evaluate RECORD.npy", lacuna::benchmarks::run, 2}, argc, argv);
+  using namespace lacuna::benchmarks;
+  try {
+    const std::vector<std::string> arguments(argv + 1, argv + argc);
+    const bool identifies = arguments.at(0) == "identify";
+    lacuna::Table table = lacuna::read_table(arguments.at(1));
+    const Reading reading =
+        identifies ? identify_record(std::move(table)) : evaluate_rows(table);
+    std::cout << reading.wall << ' ' << reading.cpu << ' ' << reading.megabytes << '\n';
+    return 0;
+  } catch (const std::exception& error) {
+    std::cerr << "study_python: " << error.what() << '\n';
+    return 2;
+  }
 }
