@@ -369,8 +369,11 @@ def _table(place: str, columns: Mapping[str, Any], units: Mapping[str, str]) -> 
 
 def _parts(table: _lacuna.Table) -> tuple[Any, ...]:
     """What a table is made again of, in another process."""
+    import numpy as np
+
     headers = map(_header, table.headers, table.units)
-    return _table, (table.source, dict(zip(headers, table.values.T, strict=True)), {})
+    columns = np.asarray(table.values).T
+    return _table, (table.source, dict(zip(headers, columns, strict=True)), {})
 
 
 copyreg.pickle(_lacuna.Table, _parts)

@@ -296,7 +296,7 @@ class Simulation:
     """
 
     def __init__(self, orbit: _lacuna.Orbit | Orbit) -> None:
-        self._orbit = orbit
+        self._orbit: Any = orbit
         self.names: list[str] = [name for name, _ in orbit.columns]
         self.units: dict[str, str] = {name: unit for name, unit in orbit.columns if unit}
         self.time_unit: str = orbit.time_unit
