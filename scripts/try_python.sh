@@ -22,15 +22,16 @@ mount -t proc proc "$root/proc"
 mounts+=("$root/proc")
 mkdir -p "$root$PWD"
 git archive HEAD | tar -x -C "$root$PWD"
+# Nothing of this machine's environment goes there, but a store of ccache and what packages are
+# trusted by: behind a proxy that has a certificate of its own.
+cp -L /etc/ssl/certs/ca-certificates.crt "$root/certificates.crt"
+environment=(PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/root LANG=C.UTF-8 PIP_CERT=/certificates.crt)
 if [ -n "${CCACHE_DIR:-}" ]; then
   mkdir -p "$root$CCACHE_DIR"
   mount --bind "$CCACHE_DIR" "$root$CCACHE_DIR"
   mounts+=("$root$CCACHE_DIR")
-  export CCACHE_COMPILERCHECK=content
+  environment+=(CCACHE_DIR="$CCACHE_DIR" CCACHE_COMPILERCHECK=content)
 fi
-# Behind a proxy with a certificate of its own the packages come by that of this machine.
-cp -L /etc/ssl/certs/ca-certificates.crt "$root/certificates.crt"
-export PIP_CERT=/certificates.crt
 awk '/^```python$/ { inside = 1; next } /^```$/ { inside = 0 } inside' README.md > "$root/readme.py"
 [ -s "$root/readme.py" ]
 
@@ -45,5 +46,5 @@ python /readme.py
 [ -s out.html ]
 python -c 'import lacuna; print(lacuna.build_info())'
 RUN
-chroot "$root" /bin/bash /run.sh "$PWD"
+env -i "${environment[@]}" chroot "$root" /bin/bash /run.sh "$PWD"
 echo "try_python: pip install . and the Python of the README run in a fresh Debian 12"
