@@ -283,7 +283,8 @@ def _column(values: Any, place: str) -> Column:
     import numpy as np
 
     if isinstance(values, np.ma.MaskedArray):
-        values = np.ma.filled(values.astype(np.float64), np.nan)
+        masked: Any = values
+        values = masked.astype(np.float64).filled(np.nan)
     kind = getattr(getattr(values, "dtype", None), "kind", "")
     if kind in ("m", "M"):
         return _seconds(np.asarray(values, dtype=f"{kind}8[ns]"))

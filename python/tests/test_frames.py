@@ -18,7 +18,7 @@ pytestmark = pytest.mark.filterwarnings("ignore::lacuna.LacunaWarning")
 
 @pytest.fixture
 def frame(folder: Path) -> pd.DataFrame:
-    return pd.read_csv(folder / "run.csv")
+    return pd.read_csv(folder / "run.csv", float_precision="round_trip")
 
 
 def test_a_frame_gives_the_answer_of_its_file(inside: Path, frame: pd.DataFrame) -> None:
