@@ -48,10 +48,14 @@ signal.signal(signal.SIGINT, signal.default_int_handler)
 def command() -> Command:
     """The command line of the same build: arguments in, standard output out."""
 
+    # A sanitizer of the extension is none of the program, which limits its own memory.
+    environment = {name: value for name, value in os.environ.items() if name != "LD_PRELOAD"}
+
     def run(*arguments: str | Path, folder: Path | None = None) -> str:
         done = subprocess.run(
-            [PROGRAM, *map(str, arguments)], capture_output=True, text=True, cwd=folder, check=False
-        )
+            [PROGRAM, *map(str, arguments)],
+            capture_output=True, text=True, cwd=folder, check=False, env=environment,
+        )  # fmt: skip
         assert done.returncode in (0, 1), done.stderr
         return done.stdout
 
