@@ -59,7 +59,7 @@ EXPECTED = [
     r"lacuna\._lacuna\.\S+ is not a function",
     r"lacuna\._lacuna\.\S+ is inconsistent, (metaclass differs|stub is a staticmethod .*)",
     r"lacuna\._lacuna\.\S+ is a disjoint base .*",
-    r"lacuna\._lacuna\.\S+\.__init__ is inconsistent, stub does not have \*+\w+ parameter .*",
+    r"lacuna\._lacuna\.\S+ is inconsistent, stub does not have \*+\w+ parameter .*",
     # What it gives depends on its first argument; options of both are the same.
     r"lacuna\.finding\.fit is inconsistent, stub does not have parameter .*",
     # Only for types.
