@@ -1,9 +1,10 @@
 #!/usr/bin/env bash
 # Installs what lacuna needs from the packages of Debian 12 or Ubuntu 24.04. Does nothing when all
 # of it is there. Run as root, or as a user who may use sudo.
-# Usage: scripts/setup.sh [check|clang|docs|coverage]...   (check: and the programs without which tests
-# are skipped; clang: and what builds with sanitizers and fuzzing need; docs: and what makes the
-# documentation; coverage: and what counts lines that tests run)
+# Usage: scripts/setup.sh [check|clang|docs|coverage|python]...   (check: and the programs without which
+# tests are skipped; clang: and what builds with sanitizers and fuzzing need; docs: and what makes the
+# documentation; coverage: and what counts lines that tests run; python: and what builds the Python
+# package, which check has too)
 set -euo pipefail
 
 packages=(
@@ -56,8 +57,8 @@ test_packages=(
   ngspice                  # models as circuits
   texlive-latex-base       # equations in LaTeX
   python3-pygments         # words of the languages of exports
-  python3-dev python3-venv # the Python package
 )
+python_packages=(python3-dev python3-venv)
 # Reports; Ubuntu's Chromium is no package but a snap.
 grep -q '^ID=ubuntu' /etc/os-release || test_packages+=(chromium)
 
@@ -65,12 +66,13 @@ installed=false
 install "${packages[@]}"
 for part in "$@"; do
   case $part in
-    check) install "${test_packages[@]}" ;;
+    check) install "${test_packages[@]}" "${python_packages[@]}" ;;
+    python) install "${python_packages[@]}" ;;
     # The sanitizers of the clang that there is now.
     clang) install clang; install "libclang-rt-$(clang++ -dumpversion | cut -d. -f1)-dev" ;;
     docs) install doxygen libjs-katex python3-venv ;;
     coverage) install gcovr ;;
-    *) echo "setup: '$part' is none of check, clang, docs, coverage" >&2; exit 2 ;;
+    *) echo "setup: '$part' is none of check, clang, docs, coverage, python" >&2; exit 2 ;;
   esac
 done
 $installed || echo "setup: nothing to install"

@@ -6,12 +6,10 @@
 # libraries, so what the package does not ask for is missing there.
 set -euo pipefail
 cd "$(dirname "$0")/.."
+. scripts/fresh_debian.sh
 
-[ "$(id -u)" -eq 0 ] || { echo "try_package: run as root" >&2; exit 2; }
-for tool in debootstrap:debootstrap dpkg-shlibdeps:dpkg-dev; do
-  command -v "${tool%:*}" > /dev/null ||
-    { echo "try_package: install the package ${tool#*:}" >&2; exit 2; }
-done
+command -v dpkg-shlibdeps > /dev/null ||
+  { echo "try_package: install the package dpkg-dev" >&2; exit 2; }
 
 build=${1:-build/release}
 if [ $# -eq 0 ]; then
@@ -24,8 +22,7 @@ work=$(mktemp -d)
 trap 'rm -rf --one-file-system "$work"' EXIT
 cpack -G DEB --config "$build/CPackConfig.cmake" -B "$work/package"
 root=$work/debian
-debootstrap --variant=minbase bookworm "$root" > "$work/debootstrap.log" ||
-  { tail -5 "$work/debootstrap.log" >&2; exit 1; }
+fresh_debian "$root"
 
 mkdir "$root/try"
 cp "$work"/package/*.deb "$root/try/lacuna.deb"

@@ -102,7 +102,7 @@ def configuration(
         arguments["config"] = os.fspath(config)
     for place, stage in (pipeline.stages() if pipeline is not None else {}).items():
         if isinstance(stage, Basis | Regressor):
-            arguments[f"own_{place}"] = stage.written
+            arguments[f"own_{place}"] = [stage.written]
         else:
             said[place] = _plain(stage)
     if said:

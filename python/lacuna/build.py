@@ -12,6 +12,7 @@ _LICENCES = {
     "SUNDIALS": "BSD-3-Clause",
     "matio": "BSD-2-Clause",
     "HDF5": "BSD-3-Clause",
+    "expat": "MIT",
 }
 _GPL = ("Ceres", "CHOLMOD")
 

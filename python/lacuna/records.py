@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import copyreg
 import os
 from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
@@ -26,7 +27,7 @@ class Records:
 
     Parameters
     ----------
-    data : path, array, frame, or a list of one of these
+    data : path, array, frame, series with a time as index, or a list of one of these
         Paths (or patterns such as ``"run*.csv"``) of files in any format that the command reads.
         Arrays of shape ``(n, m)``: n samples of m states; a list has one record in each. A pandas
         or polars frame, an xarray data set or a mapping has a name for each column. NaN, masked
@@ -94,6 +95,8 @@ class Records:
         self._paths: list[str] = []
         self._tables: list[_lacuna.Table] = []
         records = list(data) if _is_list_of_records(data) else [data]
+        if t is None:
+            records = [_with_coordinates(record) for record in records]
         if not records:
             raise ArgumentError("data", "there is no record", "give at least one")
         is_array = not any(isinstance(one, str | os.PathLike) or _has_names(one) for one in records)
@@ -218,6 +221,17 @@ def _is_xarray(data: Any) -> bool:
     return hasattr(data, "data_vars") and hasattr(data, "coords")
 
 
+def _with_coordinates(data: Any) -> Any:
+    """A series with an index, or an array of xarray, as the frame or data set of its columns."""
+    if hasattr(data, "to_frame") and hasattr(data, "index") and not _is_frame(data):
+        return data.to_frame("x" if data.name is None else data.name)
+    if hasattr(data, "to_dataset") and not _is_xarray(data):
+        if data.ndim == 2:
+            return data.to_dataset(dim=data.dims[1])
+        return data.to_dataset(name="x" if data.name is None else data.name)
+    return data
+
+
 def _has_names(data: Any) -> bool:
     return (
         isinstance(data, Mapping)
@@ -269,7 +283,8 @@ def _column(values: Any, place: str) -> Column:
     import numpy as np
 
     if isinstance(values, np.ma.MaskedArray):
-        values = np.ma.filled(values.astype(np.float64), np.nan)
+        masked: Any = values
+        values = masked.astype(np.float64).filled(np.nan)
     kind = getattr(getattr(values, "dtype", None), "kind", "")
     if kind in ("m", "M"):
         return _seconds(np.asarray(values, dtype=f"{kind}8[ns]"))
@@ -351,3 +366,15 @@ def _table(place: str, columns: Mapping[str, Any], units: Mapping[str, str]) -> 
     for number, values in enumerate(numbers.values()):
         table.fill(number, values)
     return table
+
+
+def _parts(table: _lacuna.Table) -> tuple[Any, ...]:
+    """What a table is made again of, in another process."""
+    import numpy as np
+
+    headers = map(_header, table.headers, table.units)
+    columns = np.asarray(table.values).T
+    return _table, (table.source, dict(zip(headers, columns, strict=True)), {})
+
+
+copyreg.pickle(_lacuna.Table, _parts)

@@ -8,6 +8,7 @@ import io
 import json
 import os
 from collections.abc import Callable, Iterator
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from . import _lacuna
@@ -266,6 +267,21 @@ class Check(_Unpictured):
     """What would be read of records, and what is odd about them."""
 
 
+@dataclass
+class Orbit:
+    """A solution apart from the library, for another process."""
+
+    time: NDArray[np.float64]
+    states: NDArray[np.float64]
+    columns: list[tuple[str, str]]
+    time_unit: str
+    text: str
+
+    def csv(self) -> str:
+        """As `_lacuna.Orbit.csv`."""
+        return self.text
+
+
 class Simulation:
     """A solution of a model: states and outputs at times.
 
@@ -279,8 +295,8 @@ class Simulation:
         Names of the columns of ``x``.
     """
 
-    def __init__(self, orbit: Any) -> None:
-        self._orbit = orbit
+    def __init__(self, orbit: _lacuna.Orbit | Orbit) -> None:
+        self._orbit: Any = orbit
         self.names: list[str] = [name for name, _ in orbit.columns]
         self.units: dict[str, str] = {name: unit for name, unit in orbit.columns if unit}
         self.time_unit: str = orbit.time_unit
@@ -318,6 +334,12 @@ class Simulation:
         frame.index = pandas.Index(self.t.copy(), name="t")
         frame.attrs["units"] = dict(self.units)
         return frame
+
+    def __reduce__(self) -> tuple[type[Simulation], tuple[Orbit]]:
+        orbit = self._orbit
+        return Simulation, (
+            Orbit(orbit.time, orbit.states, orbit.columns, orbit.time_unit, orbit.csv()),
+        )
 
     def __repr__(self) -> str:
         return f"<lacuna.Simulation of {', '.join(self.names)}: {len(self)} samples>"

@@ -153,7 +153,9 @@ class ODERegressor(RegressorMixin, BaseEstimator):  # type: ignore[misc]
         check_is_fitted(self)
         if _several(X):
             return [self.predict(*record) for record in _records(X, u, t)]
-        return self.model_(t, self._checked(X, False), u)
+        states = self._checked(X, False)
+        inputs = u if u is None or np.ndim(u) != 1 else np.asarray(u).reshape(len(states), -1)
+        return self.model_(t, states, inputs)
 
     def simulate(
         self,

@@ -15,6 +15,7 @@
 #include <utility>
 #include <vector>
 
+#include "bindings.hpp"
 #include "call.hpp"
 #include "cli/commands/answers.hpp"
 #include "core/base/text.hpp"
@@ -36,14 +37,23 @@ struct Answer {
   std::string failure = {};  ///< why the numbers do not allow an answer; empty: they do
 };
 
+using Arguments = nb::typed<nb::dict, nb::str, nb::any>;
+
 /// Keyword arguments by their names; each is there or has its default.
 class Given {
  public:
-  explicit Given(nb::dict values) : values_(std::move(values)) {}
+  explicit Given(Arguments values) : values_(std::move(values)) { take_call(); }
 
   template <class Value>
   void take(const char* name, Value& value) const {
-    if (values_.contains(name)) value = nb::cast<Value>(values_[name]);
+    if (!values_.contains(name)) return;
+    const nb::object given = values_[name];
+    if (!nb::try_cast(given, value))
+      throw ArgumentError(name,
+                          "a value of the type '" +
+                              nb::cast<std::string>(given.type().attr("__name__")) +
+                              "' cannot be used",
+                          "give what the description of the function names");
   }
 
   /// One by one, as a caster of a vector must not run out of memory.
@@ -55,20 +65,52 @@ class Given {
 
   bool has(const char* name) const { return values_.contains(name); }
 
+  /// A part written in Python, or each of a list.
+  template <class Part, class Use>
+  void take_own(const char* name, Use use) const {
+    if (!values_.contains(name)) return;
+    for (const nb::handle given : nb::cast<nb::list>(values_[name])) {
+      Part part = nb::cast<const Part&>(given);
+      part.written().join(call_.callbacks);
+      use(std::move(part));
+    }
+  }
+
+  const CallOptions& call() const { return call_; }
+
  private:
-  nb::dict values_;
+  void take_call() {
+    take("seed", call_.seed);
+    take("threads", call_.threads);
+    if (has("progress")) call_.progress = values_["progress"];
+    take("time_limit", call_.time_limit);
+    if (call_.time_limit && !(*call_.time_limit >= 1e-3 && *call_.time_limit <= 1e9))
+      throw ArgumentError("time_limit", "it is no time from 0.001 to 1e9 seconds",
+                          "give seconds, or leave it out");
+  }
+
+  Arguments values_;
+  CallOptions call_ = {};
 };
 
-inline CallOptions call_options(const Given& given) {
-  CallOptions options;
-  given.take("seed", options.seed);
-  given.take("threads", options.threads);
-  given.take("progress", options.progress);
-  given.take("time_limit", options.time_limit);
-  if (options.time_limit && !(*options.time_limit >= 1e-3 && *options.time_limit <= 1e9))
-    throw ArgumentError("time_limit", "it is no time from 0.001 to 1e9 seconds",
-                        "give seconds, or leave it out");
-  return options;
+/// The value of work that the arguments ask for, kept for the ways in which it is shown.
+template <class Work>
+auto ended(const Given& given, Work work) {
+  return std::make_shared<const decltype(work(std::declval<const RunContext&>()))>(
+      call(given.call(), std::move(work)));
+}
+
+/// The same of what a command answers to a request.
+template <class Request>
+auto answered(const Given& given, Request request) {
+  return ended(given, [request = std::move(request)](const RunContext& context) {
+    if constexpr (requires { answer(registry(), request, context); })
+      return answer(registry(), request, context);
+    else if constexpr (requires { answer(request, context); })
+      return answer(request, context);
+    else
+      return answer(registry(), request);
+  });
 }
 
 inline void take_data(const Given& given, cli::DataOptions& data) {
@@ -108,8 +150,8 @@ inline std::vector<cli::ModelSource> models_of(const Given& given) {
 /// A value by the name that it has on the command line.
 /// @throws ConfigError that lists the names.
 template <class Value>
-void take_named(const Given& given, const char* name, const std::map<std::string, Value>& values,
-                Value& value) {
+void take_named(const Given& given, const char* name,
+                const std::map<std::string, Value>& values, Value& value) {
   std::string chosen;
   given.take(name, chosen);
   if (chosen.empty()) return;
@@ -117,7 +159,8 @@ void take_named(const Given& given, const char* name, const std::map<std::string
   std::vector<std::string> names;
   for (const auto& [known, one] : values) names.push_back(known);
   if (found == values.end())
-    throw ConfigError(name, "'" + chosen + "' is not known", "give one of " + join(names, ", "));
+    throw ConfigError(name, "'" + chosen + "' is not known",
+                      "give one of " + join(names, ", "));
   value = found->second;
 }
 

@@ -17,7 +17,7 @@
 namespace lacuna::python {
 namespace {
 
-Answer identify(const nb::dict& arguments) {
+Answer identify(const Arguments& arguments) {
   const Given given(arguments);
   cli::IdentifyRequest request;
   take_data(given, request.data);
@@ -36,20 +36,10 @@ Answer identify(const nb::dict& arguments) {
   given.take("integrator", request.integrator);
   given.take("memory", request.memory);
   take_named(given, "effort", cli::efforts(), request.effort);
-  if (given.has("own_basis")) {
-    std::optional<WrittenBasis> basis;
-    given.take("own_basis", basis);
-    request.basis.emplace(*basis);
-  }
-  if (given.has("own_regressor")) {
-    std::optional<WrittenRegressor> regressor;
-    given.take("own_regressor", regressor);
-    request.regressor.emplace(*regressor);
-  }
-  auto found = std::make_shared<const cli::IdentifyAnswer>(
-      call(call_options(given), [request = std::move(request)](const RunContext& context) {
-        return cli::answer(registry(), request, context);
-      }));
+  given.take_own<WrittenBasis>("own_basis", [&](auto part) { request.basis.emplace(part); });
+  given.take_own<WrittenRegressor>("own_regressor",
+                                   [&](auto part) { request.regressor.emplace(part); });
+  auto found = answered(given, std::move(request));
   Answer answer{
       [found] { return format_json(found->report); },
       [found](const TextOptions& options) { return text_of(*found, options); },
@@ -60,7 +50,7 @@ Answer identify(const nb::dict& arguments) {
   return answer;
 }
 
-Answer diagnose(const nb::dict& arguments) {
+Answer diagnose(const Arguments& arguments) {
   const Given given(arguments);
   cli::DiagnoseRequest request;
   take_model(given, request.model);
@@ -75,13 +65,9 @@ Answer diagnose(const nb::dict& arguments) {
   given.take("max_effects", request.max_effects);
   given.take("fill_gap", request.fill_gap);
   take_named(given, "effort", cli::efforts(), request.effort);
-  std::vector<WrittenEffect> own;
-  given.take("own_effects", own);
-  for (WrittenEffect& effect : own) request.own_effects.emplace_back(std::move(effect));
-  auto found = std::make_shared<const cli::DiagnoseAnswer>(
-      call(call_options(given), [request = std::move(request)](const RunContext& context) {
-        return cli::answer(registry(), request, context);
-      }));
+  given.take_own<WrittenEffect>("own_effects",
+                                [&](auto part) { request.own_effects.emplace_back(part); });
+  auto found = answered(given, std::move(request));
   Answer answer{[found] { return format_json(found->diagnosis); },
                 [found](const TextOptions&) { return text_of(*found); },
                 [found] { return diagnosis_page(found->diagnosis); },
@@ -103,14 +89,11 @@ cli::FitRequest fit_request(const Given& given) {
   return request;
 }
 
-Answer fit(const nb::dict& arguments) {
+Answer fit(const Arguments& arguments) {
   const Given given(arguments);
   cli::FitRequest request = fit_request(given);
   take_model(given, request.model);
-  auto found = std::make_shared<const Fit>(
-      call(call_options(given), [request = std::move(request)](const RunContext& context) {
-        return cli::answer(request, context);
-      }));
+  auto found = answered(given, std::move(request));
   Answer answer{[found] { return format_json(*found); },
                 [found](const TextOptions&) { return format_text(*found); },
                 [found] { return fit_page(*found); }};
@@ -120,14 +103,12 @@ Answer fit(const nb::dict& arguments) {
 }
 
 /// Several models fitted to the same records; the model and the page are those of the best.
-Answer fit_rivals(const nb::dict& arguments) {
+Answer fit_rivals(const Arguments& arguments) {
   const Given given(arguments);
   std::vector<cli::ModelSource> models = models_of(given);
-  auto fits = std::make_shared<const std::vector<NamedFit>>(
-      call(call_options(given), [request = fit_request(given), models = std::move(models)](
-                                    const RunContext& context) {
-        return cli::answers(request, models, context);
-      }));
+  auto fits = ended(
+      given, [request = fit_request(given), models = std::move(models)](
+                 const RunContext& context) { return cli::answers(request, models, context); });
   auto compared = std::make_shared<const RivalComparison>(compare_fits(*fits));
   const auto best = std::find_if(fits->begin(), fits->end(), [&](const NamedFit& one) {
     return one.name == compared->rivals.front().name;
@@ -140,7 +121,7 @@ Answer fit_rivals(const nb::dict& arguments) {
   return answer;
 }
 
-Answer sync(const nb::dict& arguments) {
+Answer sync(const Arguments& arguments) {
   const Given given(arguments);
   cli::SyncRequest request;
   take_model(given, request.model);
@@ -148,10 +129,7 @@ Answer sync(const nb::dict& arguments) {
   given.take("coupling", request.coupling);
   given.take("integrator", request.integrator);
   given.take("differentiator", request.differentiator);
-  auto found = std::make_shared<const cli::SyncAnswer>(
-      call(call_options(given), [request = std::move(request)](const RunContext& context) {
-        return cli::answer(registry(), request, context);
-      }));
+  auto found = answered(given, std::move(request));
   Answer answer{[found] { return format_json(found->report); },
                 [found](const TextOptions&) { return text_of(*found); },
                 [found] { return sync_page(found->report, found->data); }};
@@ -159,7 +137,7 @@ Answer sync(const nb::dict& arguments) {
   return answer;
 }
 
-Answer compare(const nb::dict& arguments) {
+Answer compare(const Arguments& arguments) {
   const Given given(arguments);
   cli::CompareRequest request;
   take_model(given, request.model);
@@ -167,26 +145,20 @@ Answer compare(const nb::dict& arguments) {
   given.take("first_tables", request.first.tables);
   given.take("integrator", request.integrator);
   given.take("differentiator", request.differentiator);
-  auto found = std::make_shared<const cli::CompareAnswer>(
-      call(call_options(given), [request = std::move(request)](const RunContext& context) {
-        return cli::answer(registry(), request, context);
-      }));
+  auto found = answered(given, std::move(request));
   Answer answer{[found] { return format_json(found->report); },
                 [found](const TextOptions&) { return format_text(found->report); }};
   answer.failure = found->problem;
   return answer;
 }
 
-Answer check(const nb::dict& arguments) {
+Answer check(const Arguments& arguments) {
   const Given given(arguments);
   cli::CheckRequest request;
   take_data(given, request.data);
   given.take("differentiator", request.differentiator);
   if (given.has("model") || given.has("model_path")) take_model(given, request.model.emplace());
-  auto found = std::make_shared<const DataSummary>(
-      call(call_options(given), [request = std::move(request)](const RunContext&) {
-        return cli::answer(registry(), request);
-      }));
+  auto found = answered(given, std::move(request));
   return {[found] { return format_json(*found); },
           [found](const TextOptions&) { return format_text(*found); }};
 }
@@ -198,7 +170,7 @@ struct SimulatedOrbit {
   const Trajectory& record() const { return answer->data.trajectories.front(); }
 };
 
-SimulatedOrbit simulate(const nb::dict& arguments) {
+SimulatedOrbit simulate(const Arguments& arguments) {
   const Given given(arguments);
   cli::SimulateRequest request;
   take_model(given, request.model);
@@ -217,10 +189,7 @@ SimulatedOrbit simulate(const nb::dict& arguments) {
     given.take("times", times);
     request.times = Eigen::Map<const Vector>(times.data(), static_cast<Index>(times.size()));
   }
-  return {std::make_shared<const cli::SimulateAnswer>(
-      call(call_options(given), [request = std::move(request)](const RunContext& context) {
-        return cli::answer(registry(), request, context);
-      }))};
+  return {answered(given, std::move(request))};
 }
 
 std::vector<std::pair<std::string, std::string>> columns_of(const SimulatedOrbit& orbit) {
@@ -263,8 +232,7 @@ void bind_orbits(nb::module_& module) {
       .def_prop_ro("notes", [](const SimulatedOrbit& self) { return self.answer->notes; })
       .def_prop_ro("problem", [](const SimulatedOrbit& self) { return self.answer->problem; })
       .def("csv", [](const SimulatedOrbit& self) { return format_csv(self.answer->data); });
-  module.def("simulate", &simulate, nb::arg("arguments"),
-             nb::sig("def simulate(arguments: dict[str, typing.Any]) -> Orbit"));
+  module.def("simulate", &simulate, nb::arg("arguments"));
 }
 
 }  // namespace
@@ -298,20 +266,13 @@ void bind_answers(nb::module_& module) {
       .def_ro("model", &Answer::model)
       .def_ro("warnings", &Answer::warnings)
       .def_ro("failure", &Answer::failure);
-  module.def("identify", &identify, nb::arg("arguments"),
-             nb::sig("def identify(arguments: dict[str, typing.Any]) -> Answer"));
-  module.def("diagnose", &diagnose, nb::arg("arguments"),
-             nb::sig("def diagnose(arguments: dict[str, typing.Any]) -> Answer"));
-  module.def("fit", &fit, nb::arg("arguments"),
-             nb::sig("def fit(arguments: dict[str, typing.Any]) -> Answer"));
-  module.def("fit_rivals", &fit_rivals, nb::arg("arguments"),
-             nb::sig("def fit_rivals(arguments: dict[str, typing.Any]) -> Answer"));
-  module.def("sync", &sync, nb::arg("arguments"),
-             nb::sig("def sync(arguments: dict[str, typing.Any]) -> Answer"));
-  module.def("compare", &compare, nb::arg("arguments"),
-             nb::sig("def compare(arguments: dict[str, typing.Any]) -> Answer"));
-  module.def("check", &check, nb::arg("arguments"),
-             nb::sig("def check(arguments: dict[str, typing.Any]) -> Answer"));
+  module.def("identify", &identify, nb::arg("arguments"));
+  module.def("diagnose", &diagnose, nb::arg("arguments"));
+  module.def("fit", &fit, nb::arg("arguments"));
+  module.def("fit_rivals", &fit_rivals, nb::arg("arguments"));
+  module.def("sync", &sync, nb::arg("arguments"));
+  module.def("compare", &compare, nb::arg("arguments"));
+  module.def("check", &check, nb::arg("arguments"));
   bind_orbits(module);
 }
 

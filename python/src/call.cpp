@@ -113,23 +113,39 @@ void watch(Exchange& exchange, const nb::object& progress) {
 
 }  // namespace
 
+Callbacks::Entry::Entry(Callbacks& all) : callbacks(all), thread(PyThread_get_thread_ident()) {
+  if (all.is_interrupted_) {
+    PyErr_SetNone(PyExc_KeyboardInterrupt);
+    throw nb::python_error();
+  }
+  all.threads_.insert(thread);
+}
+
+void Callbacks::interrupt() {
+  is_interrupted_ = true;
+  for (const unsigned long thread : threads_)
+    PyThreadState_SetAsyncExc(thread, PyExc_KeyboardInterrupt);
+}
+
 void run_interruptible(const CallOptions& options,
                        std::function<void(const RunContext& context)> work) {
   auto exchange = std::make_shared<Exchange>();
   std::stop_source stop;
   RunContext context = make_context(options, exchange, stop.get_token());
   abandoned().add(1);  // until it is seen to end
-  std::thread worker(
-      [exchange, context = std::move(context), work = std::move(work)]() mutable {
-        work_and_report(work, context, *exchange);
-        work = nullptr;  // what it keeps alive goes first
-        exchange.reset();
-        abandoned().add(-1);
-      });
+  std::thread worker([exchange, context = std::move(context), work = std::move(work),
+                      callbacks = options.callbacks]() mutable {
+    work_and_report(work, context, *exchange);
+    work = nullptr;  // what it keeps alive goes first
+    callbacks->release();
+    exchange.reset();
+    abandoned().add(-1);
+  });
   try {
     watch(*exchange, options.progress);
   } catch (...) {
     stop.request_stop();
+    options.callbacks->interrupt();
     if (exchange->wait(kPatience)) {
       const nb::gil_scoped_release release;
       worker.join();

@@ -7,13 +7,47 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <set>
 #include <utility>
+#include <vector>
 
 #include "lacuna/core/base/run_context.hpp"
 
 namespace lacuna::python {
 
 namespace nb = nanobind;
+
+/// Functions of Python that a call may run, and the threads in which they run now. Used with
+/// the interpreter's lock, but for release().
+class Callbacks {
+ public:
+  /// The value of a function, which ends by KeyboardInterrupt where the call is interrupted.
+  template <class Function>
+  auto run(Function function) {
+    const Entry entry(*this);
+    return function();
+  }
+
+  void interrupt();
+
+  void keep(std::shared_ptr<const void> function) { kept_.push_back(std::move(function)); }
+  void release() { kept_.clear(); }  ///< when the call has ended
+
+ private:
+  struct Entry {
+    explicit Entry(Callbacks& all);
+    Entry(const Entry&) = delete;
+    Entry& operator=(const Entry&) = delete;
+    ~Entry() { callbacks.threads_.erase(callbacks.threads_.find(thread)); }
+
+    Callbacks& callbacks;
+    unsigned long thread;
+  };
+
+  std::multiset<unsigned long> threads_;
+  bool is_interrupted_ = false;
+  std::vector<std::shared_ptr<const void>> kept_;
+};
 
 /// How a call runs: seed, threads, who is informed how far it is (None, or a function of an
 /// activity and a fraction), and when it ends with the answer that it has by then.
@@ -22,11 +56,13 @@ struct CallOptions {
   int threads = 1;
   nb::object progress = nb::none();
   std::optional<double> time_limit = {};  ///< seconds
+  std::shared_ptr<Callbacks> callbacks = std::make_shared<Callbacks>();
 };
 
 /// Runs work in a thread of its own without the interpreter's lock while this one looks at
-/// Python's signals. After an interrupt work is asked to stop; where it has not ended half a
-/// second later it is left to end by itself, and nothing of its result is seen.
+/// Python's signals. After an interrupt work is asked to stop, and functions of Python in it
+/// are ended; where it has not ended half a second later it is left to end by itself, and
+/// nothing of its result is seen.
 /// @param work keeps all that it uses alive itself.
 /// @throws nb::python_error of a signal handler; what work throws.
 void run_interruptible(const CallOptions& options,

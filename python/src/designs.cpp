@@ -56,12 +56,9 @@ std::string inputs_of(const PlanReport& report, const std::string& format) {
   throw ConfigError("format", "'" + format + "' is not known", "give one of csv, c, awg");
 }
 
-Answer plan(const nb::dict& arguments) {
+Answer plan(const Arguments& arguments) {
   const Given given(arguments);
-  auto found = std::make_shared<const PlanReport>(
-      call(call_options(given), [request = plan_request(given)](const RunContext& context) {
-        return cli::answer(request, context);
-      }));
+  auto found = answered(given, plan_request(given));
   Answer answer{[found] { return format_json(*found); },
                 [found](const TextOptions&) { return format_text(*found); },
                 [found] { return plan_page(*found); }};
@@ -72,7 +69,7 @@ Answer plan(const nb::dict& arguments) {
   return answer;
 }
 
-Answer bench(const nb::dict& arguments) {
+Answer bench(const Arguments& arguments) {
   const Given given(arguments);
   cli::BenchRequest request;
   take_data(given, request.data);
@@ -84,10 +81,7 @@ Answer bench(const nb::dict& arguments) {
   given.take("degree", request.degree);
   given.take("draws", request.draws);
   given.take("samples", request.samples);
-  auto found = std::make_shared<const cli::BenchAnswer>(
-      call(call_options(given), [request = std::move(request)](const RunContext& context) {
-        return cli::answer(registry(), request, context);
-      }));
+  auto found = answered(given, std::move(request));
   Answer answer{{},
                 [found](const TextOptions&) { return text_of(*found); },
                 [found] { return bench_page(found->result, found->subject); }};
@@ -99,10 +93,8 @@ Answer bench(const nb::dict& arguments) {
 }  // namespace
 
 void bind_designs(nb::module_& module) {
-  module.def("plan", &plan, nb::arg("arguments"),
-             nb::sig("def plan(arguments: dict[str, typing.Any]) -> Answer"));
-  module.def("bench", &bench, nb::arg("arguments"),
-             nb::sig("def bench(arguments: dict[str, typing.Any]) -> Answer"));
+  module.def("plan", &plan, nb::arg("arguments"));
+  module.def("bench", &bench, nb::arg("arguments"));
 }
 
 }  // namespace lacuna::python

@@ -7,6 +7,7 @@
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/vector.h>
 
+#include "arrays.hpp"
 #include "bindings.hpp"
 #include "call.hpp"
 #include "lacuna/core/base/error.hpp"
@@ -67,8 +68,10 @@ void fill(Table& table, Index column, const Column& values) {
     table.values(i, column) = view(static_cast<std::size_t>(i));
 }
 
-std::vector<std::string> names_of_columns(const Table& table) {
-  return names_of(table.columns);
+std::vector<std::string> units_of_columns(const Table& table) {
+  std::vector<std::string> units;
+  for (const Quantity& column : table.columns) units.push_back(column.unit);
+  return units;
 }
 
 }  // namespace
@@ -86,12 +89,18 @@ void bind_tables(nb::module_& module) {
            nb::arg("rows"))
       .def("fill", &fill, nb::arg("column"), nb::arg("values"),
            "Copy an array of any strides into one column.")
-      .def_prop_ro("names", &names_of_columns, "Names of the columns as the library has them.");
+      .def_ro("source", &Table::source)
+      .def_ro("headers", &Table::headers, "Names of the columns as they were given.")
+      .def_prop_ro(
+          "names", [](const Table& self) { return names_of(self.columns); },
+          "Names of the columns as the library has them.")
+      .def_prop_ro("units", &units_of_columns)
+      .def_prop_ro("values", [](const Table& self) { return array_of(self.values); });
 }
 
 }  // namespace lacuna::python
 
-NB_MODULE(_lacuna, module) {
+NB_MODULE(_lacuna_of_process, module) {
   using namespace lacuna::python;
   module.doc() = "The library in process: arguments in, values out.";
   bind_errors(module);
@@ -105,4 +114,15 @@ NB_MODULE(_lacuna, module) {
   module.attr("version") = LACUNA_VERSION;
   module.attr("back_ends") = LACUNA_BACK_ENDS;
   module.attr("compiler") = LACUNA_COMPILER;
+}
+
+/// The module in the first interpreter of a process. nanobind has one state for all of them,
+/// which the module of a second one would replace.
+extern "C" NB_EXPORT PyObject* PyInit__lacuna() {
+  if (PyInterpreterState_GetID(PyInterpreterState_Get()) == 0)
+    return PyInit__lacuna_of_process();
+  PyErr_SetString(PyExc_ImportError,
+                  "lacuna works in the first interpreter of a process only, as NumPy does; use "
+                  "threads or multiprocessing");
+  return nullptr;
 }

@@ -111,7 +111,7 @@ Candidate candidate_of(const nb::handle& form, const Scope& scope) {
 
 std::vector<Term> WrittenBasis::do_terms(const Variables& variables) const {
   const nb::gil_scoped_acquire acquire;
-  const nb::object texts = written_.function()(variables.states, variables.inputs);
+  const nb::object texts = written()(variables.states, variables.inputs);
   std::vector<Term> terms;
   for (const nb::handle text : texts)
     terms.push_back(Term::parse(nb::cast<std::string>(text), variables));
@@ -125,7 +125,7 @@ Regression WrittenRegressor::do_fit(const LeastSquaresSystem&, const Subproblem&
   const nb::gil_scoped_acquire acquire;
   const nb::object numpy = nb::module_::import_("numpy");
   const nb::object given = numpy.attr("asarray")(
-      written_.function()(array_of(rows.columns), array_of(rows.target)), "float64");
+      written()(array_of(rows.columns), array_of(rows.target)), "float64");
   return regression_of(problem,
                        coefficients_of(given.attr("ravel")(), problem.size(), info().name));
 }
@@ -134,9 +134,9 @@ std::vector<Candidate> WrittenEffect::do_candidates(const Scope& scope, Index eq
   const nb::gil_scoped_acquire acquire;
   const Variables variables = scope.model.variables();
   const nb::object type = nb::module_::import_("lacuna.own").attr("Scope");
-  const nb::object forms = written_.function()(
-      type(variables.states[static_cast<std::size_t>(equation)], variables.states,
-           variables.inputs, ranges_of(scope), scope.step, scope.duration));
+  const nb::object forms =
+      written()(type(variables.states[static_cast<std::size_t>(equation)], variables.states,
+                     variables.inputs, ranges_of(scope), scope.step, scope.duration));
   std::vector<Candidate> candidates;
   for (const nb::handle form : forms) candidates.push_back(candidate_of(form, scope));
   return candidates;

@@ -110,6 +110,30 @@ nb::object derivatives(const std::string& method, const std::string& options,
   return array_of(stage->differentiate(time, matrix_of(values)));
 }
 
+/// What Python's garbage collector asks of a part, whose function may refer to the part.
+template <class Part>
+struct Collected {
+  static int traverse(PyObject* self, visitproc visit, void* arg) {
+    Py_VISIT(Py_TYPE(self));
+    if (nb::inst_ready(self)) Py_VISIT(nb::inst_ptr<Part>(self)->written().collectable());
+    return 0;
+  }
+
+  static int clear(PyObject* self) {
+    if (nb::inst_ready(self)) nb::inst_ptr<Part>(self)->written().clear();
+    return 0;
+  }
+
+  static inline PyType_Slot slots[] = {{Py_tp_traverse, reinterpret_cast<void*>(&traverse)},
+                                       {Py_tp_clear, reinterpret_cast<void*>(&clear)},
+                                       {0, nullptr}};
+};
+
+template <class Part>
+nb::class_<Part> bind_written(nb::module_& module, const char* name) {
+  return nb::class_<Part>(module, name, nb::type_slots(Collected<Part>::slots));
+}
+
 }  // namespace
 
 void bind_stages(nb::module_& module) {
@@ -136,7 +160,7 @@ void bind_stages(nb::module_& module) {
       nb::arg("name"));
   module.def("derivatives", &derivatives, nb::arg("method"), nb::arg("options"),
              nb::arg("time"), nb::arg("values"));
-  nb::class_<WrittenBasis>(module, "WrittenBasis")
+  bind_written<WrittenBasis>(module, "WrittenBasis")
       .def(nb::new_([](std::string name, nb::object function) {
              return WrittenBasis(Written(std::move(name), std::move(function)));
            }),
@@ -148,13 +172,13 @@ void bind_stages(nb::module_& module) {
             return self.library({std::move(states), std::move(inputs)}).names();
           },
           nb::arg("states"), nb::arg("inputs"));
-  nb::class_<WrittenRegressor>(module, "WrittenRegressor")
+  bind_written<WrittenRegressor>(module, "WrittenRegressor")
       .def(nb::new_([](std::string name, nb::object function) {
              return WrittenRegressor(Written(std::move(name), std::move(function)));
            }),
            nb::arg("name"), nb::arg("function"))
       .def("fit", &fitted, nb::arg("theta"), nb::arg("target"));
-  nb::class_<WrittenEffect>(module, "WrittenEffect")
+  bind_written<WrittenEffect>(module, "WrittenEffect")
       .def(nb::new_([](std::string name, nb::object function, std::string cause) {
              return WrittenEffect(Written(std::move(name), std::move(function)),
                                   std::move(cause));

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import signal
 import subprocess
 from collections.abc import Callable
 from pathlib import Path
@@ -39,15 +40,22 @@ dv/dt = -k*x - d*v + 1.5*u
 
 Command = Callable[..., str]
 
+# Where tests run in the background Ctrl-C is ignored, also by the processes that they start.
+signal.signal(signal.SIGINT, signal.default_int_handler)
+
 
 @pytest.fixture(scope="session")
 def command() -> Command:
     """The command line of the same build: arguments in, standard output out."""
 
+    # A sanitizer of the extension is none of the program, which limits its own memory.
+    environment = {name: value for name, value in os.environ.items() if name != "LD_PRELOAD"}
+
     def run(*arguments: str | Path, folder: Path | None = None) -> str:
         done = subprocess.run(
-            [PROGRAM, *map(str, arguments)], capture_output=True, text=True, cwd=folder, check=False
-        )
+            [PROGRAM, *map(str, arguments)],
+            capture_output=True, text=True, cwd=folder, check=False, env=environment,
+        )  # fmt: skip
         assert done.returncode in (0, 1), done.stderr
         return done.stdout
 

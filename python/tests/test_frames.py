@@ -18,7 +18,7 @@ pytestmark = pytest.mark.filterwarnings("ignore::lacuna.LacunaWarning")
 
 @pytest.fixture
 def frame(folder: Path) -> pd.DataFrame:
-    return pd.read_csv(folder / "run.csv")
+    return pd.read_csv(folder / "run.csv", float_precision="round_trip")
 
 
 def test_a_frame_gives_the_answer_of_its_file(inside: Path, frame: pd.DataFrame) -> None:
@@ -67,6 +67,18 @@ def test_dates_are_seconds_from_the_first() -> None:
         assert summary.records[0].begin == 0.0
         assert summary.records[0].step == pytest.approx(0.25)
     assert by_index.time_unit == "s"
+
+
+def test_a_series_and_an_array_of_xarray_have_their_times() -> None:
+    t, names = np.arange(50) * 0.25, ["x", "v"]
+    wave = np.column_stack([np.sin(t), np.cos(t)])
+    frame = lacuna.check(pd.DataFrame(wave, columns=names, index=pd.Index(t, name="t")))
+    series = lacuna.check(pd.Series(wave[:, 0], index=pd.to_timedelta(t, unit="s")))
+    array = xr.DataArray(wave, dims=("t", "state"), coords={"t": t, "state": names})
+    assert lacuna.check(array).columns == frame.columns
+    assert lacuna.check(array[:, 0].drop_vars("state").rename("x")).records == frame.records
+    assert series.records == frame.records
+    assert lacuna.check(pd.Series(wave[:, 0]), 0.25).records[0].step == 0.25
 
 
 def test_missing_values_are_gaps() -> None:

@@ -51,7 +51,8 @@ def test_checks_of_scikit_learn(
 
 
 def test_checks_that_make_no_sense_are_checks() -> None:
-    assert SENSELESS.keys() <= {check.func.__name__ for _, check in CHECKS}
+    new = {"check_array_api_input"}  # since scikit-learn 1.8, which is for Python 3.11 and later
+    assert SENSELESS.keys() - new <= {check.func.__name__ for _, check in CHECKS}
 
 
 def test_the_equations_are_found(fast: ODERegressor, samples: Samples) -> None:

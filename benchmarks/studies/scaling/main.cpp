@@ -21,7 +21,7 @@
 #include "lacuna/identify/pipeline/presets.hpp"
 #include "lacuna/model/equations/compare_models.hpp"
 #include "report/plot/figure.hpp"
-#include "studies/scaling/meter.hpp"
+#include "support/meter.hpp"
 #include "studies/scaling/pieces.hpp"
 #include "studies/scaling/records.hpp"
 #include "support/lorenz96.hpp"

@@ -17,7 +17,7 @@
 #include "lacuna/data/long_records/read_stream.hpp"
 #include "lacuna/dynamics/test_systems/test_systems.hpp"
 #include "lacuna/identify/pipeline/presets.hpp"
-#include "studies/scaling/meter.hpp"
+#include "support/meter.hpp"
 #include "studies/scaling/records.hpp"
 #include "support/table.hpp"
 

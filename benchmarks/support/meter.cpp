@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "studies/scaling/meter.hpp"
+#include "support/meter.hpp"
 
 #include <malloc.h>
 
