@@ -220,7 +220,7 @@ TEST(PlanExperiment, SafeRangesAreKeptWithTheirProbability) {
   PlanProblem problem = cart();
   problem.safe = {{"v", -0.6, 0.6}};
   PlanOptions options = quick();
-  options.safety_draws = 400;
+  options.safety_draws = 1000;
   options.safe_probability = 0.95;
   const Plan plan = plan_experiment(problem, options);
   EXPECT_TRUE(plan.is_feasible);
@@ -233,13 +233,13 @@ TEST(PlanExperiment, SafeRangesAreKeptWithTheirProbability) {
     load(run, experiment);
     int left = 0;
     for (const PathNumbers& draw :
-         draws_of(run, knowledge_of(model, PlanOptions{}.spread), 400, 4242)) {
+         draws_of(run, knowledge_of(model, PlanOptions{}.spread), 1000, 4242)) {
       const Prediction path =
           predict(run, experiment, in_experiment(run, experiment, draw));
       left += path.safe.cwiseAbs().maxCoeff() > 0.6 ? 1 : 0;
     }
-    // 20 are allowed; two standard deviations of a binomial count are 9.
-    EXPECT_LE(left, 29) << model.name;
+    // 50 are allowed; two standard deviations of a binomial count are 14.
+    EXPECT_LE(left, 64) << model.name;
   }
 }
 
