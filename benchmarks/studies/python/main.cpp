@@ -5,7 +5,6 @@
 //        before the call.
 #include <cmath>
 #include <iostream>
-#include <memory>
 #include <string>
 #include <vector>
 
@@ -40,10 +39,9 @@ Reading evaluate_rows(const Table& table) {
   const Rows states = table.values.rightCols(3);
   CompiledModel model = test_system("lorenz").model.compile();
   const Meter meter;
-  const auto rates = std::make_unique_for_overwrite<double[]>(
-      states.size());  // NOLINT(modernize-avoid-c-arrays)
+  Vector rates(states.size());
   for (Index i = 0; i < states.rows(); ++i)
-    model.evaluate(0.0, &states(i, 0), nullptr, nullptr, rates.get() + 3 * i);
+    model.evaluate(0.0, &states(i, 0), nullptr, nullptr, rates.data() + 3 * i);
   const Reading reading = meter.read();
   if (!std::isfinite(rates[0])) throw Error("evaluate", "a rate is not finite", "");
   return reading;

@@ -63,7 +63,7 @@ std::optional<Table> common_rows(const Table& table, const std::vector<Index>& c
 
 std::optional<Table> rows_of_densest(const Table& table, Index time,
                                      const std::vector<Index>& columns) {
-  constexpr std::size_t kFewest = 8;  // a curve can be seen in them
+  constexpr std::size_t kFewest = 8;  // a decision: a cubic and as many values to see it by
   const auto times = table.values.col(time);
   const bool goes_on = std::is_sorted(times.begin(), times.end(), std::less_equal<>());
   if (!goes_on || any_adjacent(complete_rows(table, columns))) return std::nullopt;

@@ -133,8 +133,10 @@ struct PlanOptions {
   int candidates = 64;            ///< random designs of each family
   int searches = 4;               ///< of them, the best, are improved
   int evaluations = 150;          ///< most designs of each search
-  /// Of a number of which nothing is known: standard deviation over its size. 0.5: its order is
-  /// known; at 0.25 and 1 expected log Bayes factors change by about log 2 for each number.
+  /// Of a number of which nothing is known: standard deviation over its size, which is its value;
+  /// after a fit, its standard error where that is larger; where records leave it open, any value
+  /// of its range. 0.5: its order is known; at 0.25 and 1 expected log Bayes factors change by
+  /// about log 2 for each number.
   double spread = 0.5;
   /// Log Bayes factor that decides: 3 is "strong" (Kass and Raftery, J. Am. Stat. Assoc.
   /// 90:773-795, 1995).
@@ -156,7 +158,8 @@ struct ParameterPromise {
   std::string model, name, unit;
   double value = 0.0;
   std::optional<double> before = {};  ///< standard error; nothing: not known
-  std::optional<double> after = {};   ///< nothing: still not known
+  /// Root mean square over draws of the numbers; nothing: still not known.
+  std::optional<double> after = {};
   /// From the experiments that were made, repeated for as long.
   std::optional<double> repeated = {};
 };
