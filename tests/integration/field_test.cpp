@@ -98,7 +98,7 @@ TEST_F(Field, AStepTestHasTheStateAndTheInput) {
 TEST_F(Field, UnitsInASecondRowAreUnits) {
   const CommandResult run = run_program("check " + data("units_row/units_row_ms.csv"));
   EXPECT_EQ(run.status, 0) << run.err;
-  EXPECT_THAT(run.out, HasSubstr("0 .. 1995 ms"));
+  EXPECT_THAT(unfolded(run.out), HasSubstr("0 .. 1995 ms"));
   EXPECT_THAT(run.out, HasSubstr("Speed [rpm]"));
   EXPECT_THAT(run.out, HasSubstr("Volt [V]"));
 }
