@@ -2,7 +2,8 @@
 #include "linearisation.hpp"
 
 #include <algorithm>
-#include <numeric>
+#include <cmath>
+#include <limits>
 #include <optional>
 #include <utility>
 
@@ -37,12 +38,25 @@ Matrix eliminate_start(SensitivityRows& window, RowFold& fold, const RunContext&
   return rows.leftCols(m).transpose();
 }
 
-/// Folds some windows. @return how many rows.
-Index fold_chunk(WindowRates rates, const WindowedPath& path, const WindowChunk& chunk,
+/// GrownRounding in one window.
+double grown_rounding(const Matrix& head, const Eigen::RowVectorXd& start) {
+  const auto triangle = head.leftCols(head.rows()).triangularView<Eigen::Upper>();
+  return std::numeric_limits<double>::epsilon() *
+         Matrix(triangle).colwise().norm().dot(start.cwiseAbs());
+}
+
+/// Windows that have rows beside their initial states.
+struct Folded {
+  Index rows = 0, windows = 0;
+  double worst = 0.0, log_sum = 0.0;  ///< of the grown rounding
+};
+
+/// Folds some windows.
+Folded fold_chunk(WindowRates rates, const WindowedPath& path, const WindowChunk& chunk,
                  const std::vector<ColumnBlock>& blocks, RowFold& fold, Linearisation& result,
                  const RunContext& context) {
   SensitivityRows rows;
-  Index count = 0;
+  Folded folded;
   for (std::size_t w = chunk.first; w < chunk.last; ++w) {
     context.check_stop();
     const SampleWindow& window = path.windows[w];
@@ -50,9 +64,24 @@ Index fold_chunk(WindowRates rates, const WindowedPath& path, const WindowChunk&
     rates.evaluate(record, window);
     integrate_rows(rates, blocks, record, window, rows);
     result.heads[w] = eliminate_start(rows, fold, context);
-    if (result.heads[w].size() > 0) count += rows.used - rows.now.cols();
+    const Matrix& head = result.heads[w];
+    if (head.size() == 0) continue;
+    folded.rows += rows.used - rows.now.cols();
+    const auto start = record.slots.row(window.first * record.stride()).leftCols(head.rows());
+    const double rounding = std::max(grown_rounding(head, start), 1e-300);
+    ++folded.windows;
+    folded.worst = std::max(folded.worst, rounding);
+    folded.log_sum += std::log(rounding);
   }
-  return count;
+  return folded;
+}
+
+Folded sum_of(const std::vector<Folded>& parts) {
+  Folded all;
+  for (const Folded& part : parts)
+    all = {all.rows + part.rows, all.windows + part.windows, std::max(all.worst, part.worst),
+           all.log_sum + part.log_sum};
+  return all;
 }
 
 /// @return false when the folding cannot resolve the rows.
@@ -67,12 +96,14 @@ bool fold_windows(WindowRates& rates, const WindowedPath& path, Folding folding,
   std::vector<RowFold> folds;
   for (std::size_t c = 0; c < chunks.size(); ++c)
     folds.emplace_back(static_cast<Index>(result.columns.size()) + 1, folding);
-  std::vector<Index> counts(chunks.size());
+  std::vector<Folded> folded(chunks.size());
   result.heads.assign(path.windows.size(), Matrix());
   parallel_for(chunks.size(), context.threads, [&](std::size_t c) {
-    counts[c] = fold_chunk(rates, path, chunks[c], blocks, folds[c], result, context);
+    folded[c] = fold_chunk(rates, path, chunks[c], blocks, folds[c], result, context);
   });
-  result.rows = std::accumulate(counts.begin(), counts.end(), Index{0});
+  const Folded all = sum_of(folded);
+  result.rows = all.rows;
+  result.rounding = {all.worst, all.log_sum / static_cast<double>(std::max<Index>(1, all.windows))};
   for (std::size_t c = 1; c < folds.size(); ++c) folds[0].merge(folds[c]);
   std::optional<Matrix> triangle = folds[0].finish();
   if (triangle) result.triangle = std::move(*triangle);

@@ -10,6 +10,14 @@
 
 namespace lacuna {
 
+/// What the rounding of an initial state becomes at the samples of its window, in units of
+/// sigma: eps sum_j |x_j| |R e_j|, R being the triangle of the sensitivities. Their errors grow
+/// like it.
+struct GrownRounding {
+  double worst = 0.0;     ///< of all windows
+  double log_mean = 0.0;  ///< mean of its logarithm over the windows
+};
+
 /// The trajectory fit as a linear problem: equations are linearised about a path in phase space
 /// instead of about a solution (quasilinearisation; Bellman & Kalaba 1965). In a window of
 /// samples
@@ -31,6 +39,7 @@ struct Linearisation {
   Matrix triangle;            ///< R of the rows [G | y - c], q + 1 columns
   Index rows = 0;             ///< white rows
   std::vector<Matrix> heads;  ///< of each window, m x (m + q + 1): what determines s
+  GrownRounding rounding;
 };
 
 /// Where and in what is linearised.

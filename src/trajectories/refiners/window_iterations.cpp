@@ -65,6 +65,7 @@ Change choose(const SearchTask& task, WindowSearch& search, const RunContext& co
       search.rates, search.path, {fit.coefficients, fit.columns}, search.folding, context);
   fit.triangle = linearised.triangle;
   fit.rows = linearised.rows;
+  fit.rounding = linearised.rounding;
   if (fit.rows == 0) return {};  // no window has a finite solution: nothing to choose from
   const auto all_candidates = static_cast<double>(task.candidates.size());
   const auto q = static_cast<double>(fit.columns.size());

@@ -112,6 +112,23 @@ bool acceptable(const WindowFit& before, const WindowFit& after) {
   return after.misfit <= before.misfit * (1.0 + scatter) + scatter;
 }
 
+/// A path that moves by so little, in units of sigma, leaves the coefficients where they are.
+constexpr double kLastMove = 1e-3;  // a fact of the statistic
+
+/// Whether paths can be known in windows of so many samples: chaos makes of the rounding of an
+/// initial state a multiple that grows exponentially with their length, as two lengths show, and
+/// beyond the last move it keeps the path from coming to rest.
+bool is_resolved(const WindowSearch& search, Index samples) {
+  const auto& [length, log_mean] = search.shorter;
+  const WindowFit& fit = search.fit;
+  if (length == 0) return true;
+  const double rate =
+      (fit.rounding.log_mean - log_mean) / static_cast<double>(fit.samples - length);
+  const double later = std::log(fit.rounding.worst) +
+                       std::max(0.0, rate) * static_cast<double>(samples - fit.samples);
+  return later < std::log(kLastMove);
+}
+
 /// Whether there are windows of so many samples, and enough of them to stand for the records.
 bool has_windows(const SearchTask& task, const WindowSearch& search, Index samples) {
   // A fact of the statistic.
@@ -120,18 +137,25 @@ bool has_windows(const SearchTask& task, const WindowSearch& search, Index sampl
          (!is_wide(task) || samples * kFewestWindows <= search.most);
 }
 
+/// Takes the fit of longer windows.
+void take_longer(WindowSearch& search, WindowSearch longer) {
+  longer.shorter = {search.fit.samples, search.fit.rounding.log_mean};
+  search = std::move(longer);
+}
+
 /// Windows four times as long, where the terms have stayed in the last ones: most often they
 /// stay again, and one choice shows it. @return whether they do and fit no worse.
 bool leap(const SearchTask& task, WindowSearch& search, const RunContext& context) {
   constexpr Index kLeap = 4;  // a fact of the search: what does not settle goes on by twice
   const Index samples = kLeap * search.fit.samples;
-  if (!search.leaps || !search.fit.kept_terms || !has_windows(task, search, samples))
+  if (!search.leaps || !search.fit.kept_terms || !has_windows(task, search, samples) ||
+      !is_resolved(search, samples))
     return false;
   WindowSearch longer = search;
   fit_windows(task, longer, search.fit.coefficients, samples, context, 1);
   search.leaps =
       longer.fit.settled && longer.fit.kept_terms && acceptable(search.fit, longer.fit);
-  if (search.leaps) search = std::move(longer);
+  if (search.leaps) take_longer(search, std::move(longer));
   return search.leaps;
 }
 
@@ -235,10 +259,12 @@ bool grow(const SearchTask& task, WindowSearch& search, const RunContext& contex
   const Index samples = 2 * search.fit.samples;
   if (search.limited || !has_windows(task, search, samples)) return false;
   if (leap(task, search, context)) return true;
+  search.limited = !is_resolved(search, samples);
+  if (search.limited) return false;
   WindowSearch longer = search;
   fit_windows(task, longer, search.fit.coefficients, samples, context);
   search.limited = !acceptable(search.fit, longer.fit);
-  if (!search.limited) search = std::move(longer);
+  if (!search.limited) take_longer(search, std::move(longer));
   return !search.limited;
 }
 
@@ -258,9 +284,8 @@ void check_steps(const SearchTask& task, WindowSearch& search, const RunContext&
   if (is_longer && refine_steps(task, search, context)) converge(task, search, context);
 }
 
-/// A path that moves by a thousandth of sigma leaves the coefficients where they are.
 void finish(WindowSearch& search, const RunContext& context) {
-  settle(search, {.move = 1e-3, .iterations = 8}, context);
+  settle(search, {.move = kLastMove, .iterations = 8}, context);
   summarise(search);
 }
 

@@ -60,6 +60,7 @@ struct WindowFit {
   Vector rms;            ///< of the residuals of each state
   Vector counts;         ///< residuals of each state
   Index samples = 0;     ///< of a window
+  GrownRounding rounding;   ///< in the windows
   bool kept_terms = false;  ///< those that the fit began with
 };
 
@@ -67,6 +68,12 @@ struct WindowFit {
 struct StepTest {
   double moved = std::numeric_limits<double>::infinity();  ///< the path, by half the steps; sigma
   Index samples = 0;                                       ///< of the windows; 0: no test
+};
+
+/// What rounding becomes in windows of some length.
+struct RoundingInWindows {
+  Index samples = 0;  ///< 0: not known
+  double log_mean = 0.0;
 };
 
 /// The search for structure and coefficients in windows of growing length, as far as it has
@@ -82,6 +89,7 @@ struct WindowSearch {
   WindowFit fit = {};
   bool limited = false;  ///< longer windows were tried and the model fits them worse
   StepTest steps = {};   ///< the last one
+  RoundingInWindows shorter = {};  ///< in the windows before
   bool leaps = true;     ///< windows four times as long have done wherever they were tried
   std::vector<CoefficientConstraint> constraints = {};  ///< those of the task
 };

@@ -136,6 +136,32 @@ TEST(WindowSearch, LongerWindowsThatFitWorseAreGivenUp) {
   EXPECT_FALSE(c.grow());
 }
 
+TEST(WindowSearch, WindowsOfChaosEndWhereRoundingKeepsPathsFromRest) {
+  SearchCase c(test_system("lorenz").model, noisy_record("lorenz", 5000, 0.01, 4), {}, 2);
+  ASSERT_TRUE(c.search.fit.rows > 0);
+  while (c.grow()) {
+  }
+  const WindowFit& fit = c.search.fit;
+  EXPECT_TRUE(c.search.limited);
+  EXPECT_LT(4 * fit.samples, 5000) << "the record has longer windows";
+  EXPECT_LT(fit.rounding.worst, 1e-3);
+  // Published: Lorenz' largest exponent is 0.906; in so few turns it is known to a fifth.
+  const double time = mean_step(c.data.trajectories.front()) *
+                      static_cast<double>(fit.samples - c.search.shorter.samples);
+  const double exponent = (fit.rounding.log_mean - c.search.shorter.log_mean) / time;
+  EXPECT_NEAR(exponent, 0.906, 0.2);
+  EXPECT_EQ(structure_of(c.found()), structure_of(test_system("lorenz").model));
+}
+
+TEST(WindowSearch, WindowsOfAnOscillatorAreAsLongAsTheRecord) {
+  SearchCase c(test_system("van-der-pol").model, noisy_record("van-der-pol", 800, 0.01, 5));
+  while (c.grow()) {
+  }
+  EXPECT_FALSE(c.search.limited);
+  EXPECT_GT(2 * c.search.fit.samples, 800);
+  EXPECT_LT(c.search.fit.rounding.worst, 1e-10) << "orbits come together";
+}
+
 TEST(WindowSearch, LeapsWhereTermsStayAndComesToTheSame) {
   const OdeModel& model = test_system("van-der-pol").model;
   SearchCase leaps(model, noisy_record("van-der-pol", 800, 0.02, 3));
