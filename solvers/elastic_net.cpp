@@ -12,15 +12,27 @@
 namespace lacuna {
 namespace {
 
-/// Terms that are not zero.
+/// v of ElasticNet, from the least-squares fit. A term without any part of it has a penalty that
+/// no gradient reaches.
+Vector relative_penalties(const Subproblem& problem, double adaptivity) {
+  constexpr double kSmallest = 1e-12;  // a fact of rounding
+  const Vector part = problem.solve().cwiseProduct(problem.column_norms()).cwiseAbs();
+  const double largest = part.size() > 0 ? part.maxCoeff() : 0.0;
+  if (adaptivity == 0.0 || !(largest > 0.0) || !part.allFinite())
+    return Vector::Ones(part.size());
+  return (part / largest).cwiseMax(kSmallest).array().pow(-adaptivity);
+}
+
 }  // namespace
 
-Vector elastic_net(const Matrix& triangle, const Vector& target, ElasticPenalty penalty,
-                   Vector start, const RunContext& context) {
+Vector elastic_net(const Matrix& triangle, const Vector& target,
+                   const ElasticPenalty& penalty, Vector start, const RunContext& context) {
   check_argument(triangle.rows() == target.size() && triangle.cols() == start.size(),
                  "elastic_net", "triangle, target and start have different sizes");
+  check_argument(penalty.l1.size() == start.size(), "elastic_net",
+                 "there is not one l1 penalty for each coefficient");
   check_argument(triangle.allFinite() && target.allFinite() && start.allFinite() &&
-                     penalty.l1 >= 0.0 && penalty.l2 >= 0.0,
+                     (penalty.l1.array() >= 0.0).all() && penalty.l2 >= 0.0,
                  "elastic_net", "a number is not finite or a penalty is negative");
   // A fact of cost: bounds the work where columns nearly depend on each other.
   constexpr int kMostSweeps = 2000;
@@ -29,10 +41,9 @@ Vector elastic_net(const Matrix& triangle, const Vector& target, ElasticPenalty 
   const Vector correlation = triangle.transpose() * target;
   Vector z = std::move(start);
   Vector slope = correlation - gram * z;
-  const Vector first = Vector::Constant(z.size(), penalty.l1);
   for (int done = 0; done < kMostSweeps; ++done) {
     context.check_stop();
-    if (coordinate_sweep(gram, {first, penalty.l2}, z, slope) <= kTolerance * target.norm())
+    if (coordinate_sweep(gram, {penalty.l1, penalty.l2}, z, slope) <= kTolerance * target.norm())
       break;
   }
   return z;
@@ -44,7 +55,9 @@ Regression ElasticNet::do_fit(const LeastSquaresSystem& system, const Subproblem
   const Matrix& triangle = problem.triangle();
   const double size = problem.target_norm();
   const Vector target = problem.projected_target() / (size > 0.0 ? size : 1.0);
-  const double largest = 2.0 * (triangle.transpose() * target).cwiseAbs().maxCoeff();
+  const Vector relative = relative_penalties(problem, options().adaptivity);
+  const double largest =
+      2.0 * (triangle.transpose() * target).cwiseQuotient(relative).cwiseAbs().maxCoeff();
   const double factor = std::pow(options().range, 1.0 / (options().points - 1.0));
 
   SubproblemFit fit = fit_subset(problem, {});
@@ -56,8 +69,9 @@ Regression ElasticNet::do_fit(const LeastSquaresSystem& system, const Subproblem
   Vector z = Vector::Zero(problem.size());
   double lambda = largest / options().mix;
   for (int point = 0; point < options().points; ++point, lambda *= factor) {
-    z = elastic_net(triangle, target, {lambda * options().mix, lambda * (1.0 - options().mix)},
-                    std::move(z), context);
+    const ElasticPenalty penalty{lambda * options().mix * relative,
+                                 lambda * (1.0 - options().mix)};
+    z = elastic_net(triangle, target, penalty, std::move(z), context);
     ++choice.iterations;
     const TermSet positions = support_of(z);
     if (!seen.insert(positions).second) continue;

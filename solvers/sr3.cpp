@@ -9,8 +9,15 @@
 namespace lacuna {
 namespace {
 
-Vector thresholded(const Vector& z, double limit) {
-  return (z.array().abs() >= limit && z.array() != 0.0).select(z.array(), 0.0);
+/// The last step of Sr3.
+Vector thresholded(const Vector& z, const Sr3Options& options, double limit) {
+  using Penalty = Sr3Options::Penalty;
+  const auto sizes = z.array().abs();
+  const Vector kept = (sizes >= limit && sizes > 0.0).select(z.array(), 0.0);
+  if (options.penalty == Penalty::L0) return kept;
+  const Vector shrunk = z.array().sign() * (sizes - limit).max(0.0);
+  if (options.penalty == Penalty::L1) return shrunk;
+  return (sizes >= (options.clip + 0.5) * limit).select(kept, shrunk);
 }
 
 }  // namespace
@@ -24,14 +31,15 @@ Regression Sr3::do_fit(const LeastSquaresSystem& system, const Subproblem& probl
   const Eigen::LLT<Matrix> factor(normal);
   const Vector right = problem.triangle().transpose() * problem.projected_target();
   Vector z = problem.solve().cwiseProduct(problem.column_norms());
-  Vector w = thresholded(z, options().threshold * scale);
+  const double limit = options().threshold * scale;
+  Vector w = thresholded(z, options(), limit);
   SubsetChoice choice{.quantity = "|h theta| / |y| of the relaxed fit",
                       .threshold = options().threshold,
                       .converged = false};
   while (!choice.converged && choice.iterations < options().max_iterations) {
     context.check_stop();
     z = factor.solve(right + stiffness * w);
-    const Vector next = thresholded(z, options().threshold * scale);
+    const Vector next = thresholded(z, options(), limit);
     choice.converged = (next - w).cwiseAbs().maxCoeff() <= 1e-10 * scale;
     w = next;
     ++choice.iterations;

@@ -34,7 +34,11 @@ All<L1Problem> Choices<L1Problem>::all() {
 }
 
 All<ElasticPenalty> Choices<ElasticPenalty>::all() {
-  return {{"0.1", {0.1, 0.1}}, {"-1", {-1.0, -1.0}}, {"nan", {kNan, 0.0}, false}};
+  const Vector tenth = Vector::Constant(4, 0.1);
+  return {{"0.1", {tenth, 0.1}},
+          {"-1", {-tenth, -1.0}},
+          {"mismatched", {Vector::Ones(2), 0.1}},
+          {"nan", {with(tenth, 0, kNan), 0.0}, false}};
 }
 
 All<SampledSignal> Choices<SampledSignal>::all() {

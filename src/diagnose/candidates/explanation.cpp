@@ -186,33 +186,55 @@ class JointFit {
   /// Moves the shapes and fits again until the likelihood rises no more.
   Explanation with_shapes(Explanation best) const {
     // Facts of the search: a hidden path moves with the shapes, and so does one whose noise is
-    // far below what the shapes do, as that of an encoder is.
+    // far below what the shapes do, as that of an encoder is. Where a part of a step had to do,
+    // the next one begins with twice that part.
     constexpr int kShapeSteps = 12;
+    constexpr double kLonger = 2.0;
+    double part = 1.0;
     for (int step = 0; step < kShapeSteps; ++step) {
       std::vector<FittedEffect> moved = best.effects;
       if (!move_shapes(best, moved)) break;
-      Explanation next = in_reach(best, moved, at(best.fit, moved, 3));
+      auto [next, taken] = in_reach(best, moved, part);
       const double drop = best.fit.deviance - next.fit.deviance;
       if (!(drop > 0.0)) break;
       best = std::move(next);
-      if (drop < kUnnoticedDeviance) break;
+      part = std::min(1.0, kLonger * taken);
+      if (drop < kUnnoticedDeviance && taken == 1.0) break;
     }
     return best;
   }
 
  private:
-  /// The step, or a part of it that raises the likelihood: the problem may be far from linear.
-  Explanation in_reach(const Explanation& best, std::vector<FittedEffect> moved,
-                       Explanation next) const {
-    // A fact of the search: to a sixteenth of the step.
+  /// A fit with shapes between two, and where.
+  struct Moved {
+    Explanation fit;
+    double part = 1.0;
+  };
+
+  /// The part of a step that is given, or a smaller one that raises the likelihood: the problem
+  /// may be far from linear.
+  Moved in_reach(const Explanation& best, const std::vector<FittedEffect>& moved,
+                 double part) const {
+    // Facts of the search: to a sixteenth of the step, as long as each half leaves a half.
     constexpr int kHalvings = 4;
-    for (int halving = 0; halving < kHalvings && !(next.fit.deviance < best.fit.deviance);
-         ++halving) {
-      for (std::size_t e = 0; e < moved.size(); ++e)
-        moved[e].shapes = 0.5 * (moved[e].shapes + best.effects[e].shapes);
-      next = at(best.fit, moved, 3);
+    constexpr double kLeftByHalf = 0.5;
+    const auto at_part = [&](double fraction) {
+      std::vector<FittedEffect> effects = moved;
+      for (std::size_t e = 0; e < effects.size(); ++e)
+        effects[e].shapes = best.effects[e].shapes +
+                            fraction * (moved[e].shapes - best.effects[e].shapes);
+      return at(best.fit, std::move(effects), 3);
+    };
+    Moved result{at_part(part), part};
+    const auto short_of = [&] { return result.fit.fit.deviance - best.fit.deviance; };
+    for (int halving = 0; halving < kHalvings && !(short_of() < 0.0); ++halving) {
+      const double before = short_of();
+      part *= 0.5;
+      result = {at_part(part), part};
+      // What rises as a parabola does falls to a quarter; what does not is no matter of shapes.
+      if (short_of() > kLeftByHalf * before) break;
     }
-    return next;
+    return result;
   }
 
   /// What no record determines of the model with effects: they show changes that nothing shows

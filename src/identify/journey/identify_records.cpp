@@ -186,6 +186,7 @@ Identification identify_records(RecordStream records, const IdentificationTask& 
     result = with_plain_terms(chosen, found.records, std::move(result), alone);
   for (const auto& sentences : {notes, centred})
     result.warnings.insert(result.warnings.end(), sentences.begin(), sentences.end());
+  result.trapping = trapping_region(result.model);
   const bool is_map = result.model.is_map();
   const Dataset& data = is_map ? *found.records.in_memory() : found.records.excerpt();
   warn_of_records(task, result, data);

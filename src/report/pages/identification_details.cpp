@@ -8,7 +8,7 @@
 #include "folded_text.hpp"
 #include "identification_details.hpp"
 #include "readable.hpp"
-#include "relation_text.hpp"
+#include "invariant_text.hpp"
 
 namespace lacuna {
 namespace {
@@ -140,6 +140,8 @@ std::string details_text(const IdentificationReport& report, const Digits& digit
   if (!result.relations.empty()) out << "\nRelations\n";
   for (const Relation& relation : result.relations)
     out << "  " << relation_sentence(relation) << "\n";
+  if (const auto& region = result.trapping.region)
+    out << "\nBounded\n  " << trapping_sentence(result.model, *region) << "\n";
   if (result.library_alone)
     out << "\nThe library alone does not reach the noise; it gives\n"
         << indented(to_text(*result.library_alone, 5));

@@ -6,7 +6,7 @@
 #include "core/statistics/determined.hpp"
 #include "free_runs.hpp"
 #include "readable.hpp"
-#include "relation_text.hpp"
+#include "invariant_text.hpp"
 #include "report/json/stage_json.hpp"
 #include "report/pages/pages.hpp"
 #include "report/plot/mathml.hpp"
@@ -136,6 +136,8 @@ std::vector<std::string> findings_of(const IdentificationResult& result) {
                      result.validation->advice.end());
   for (const Relation& relation : result.relations)
     sentences.push_back(relation_sentence(relation) + ".");
+  if (const auto& region = result.trapping.region)
+    sentences.push_back(trapping_sentence(result.model, *region) + ".");
   return sentences;
 }
 

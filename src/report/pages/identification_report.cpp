@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "lacuna/model/files/model_file.hpp"
-#include "relation_text.hpp"
+#include "invariant_text.hpp"
 #include "report/json/adequacy_json.hpp"
 #include "report/json/stage_json.hpp"
 #include "report/json/stages_json.hpp"
@@ -107,6 +107,22 @@ Json relation_to_json(const Relation& relation) {
           {"sentence", relation_sentence(relation)}};
 }
 
+Json numbers_to_json(const Vector& values) {
+  return std::vector<double>(values.begin(), values.end());
+}
+
+Json trapping_to_json(const TrappingAnswer& answer) {
+  constexpr std::array kVerdicts{"trapped", "not-quadratic", "produces-energy", "no-centre"};
+  Json json{{"verdict", kVerdicts[static_cast<std::size_t>(answer.verdict)]},
+            {"region", nullptr}};
+  if (const auto& region = answer.region)
+    json["region"] = {{"centre", numbers_to_json(region->centre)},
+                      {"weights", numbers_to_json(region->weights)},
+                      {"radius", region->radius},
+                      {"decay", region->decay}};
+  return json;
+}
+
 Json alternative_to_json(const AlternativeModel& alternative) {
   return {{"model", Json::parse(format_model(alternative.model))},
           {"criterion", alternative.criterion},
@@ -138,6 +154,7 @@ std::string format_json(const IdentificationReport& report) {
   json["validation"] =
       result.validation ? validation_to_json(*result.validation) : Json(nullptr);
   json["relations"] = list_to_json(result.relations, relation_to_json);
+  json["trapping"] = trapping_to_json(result.trapping);
   if (report.alternatives)
     json["alternatives"] = list_to_json(*report.alternatives, alternative_to_json);
   json["sync"] = report.sync ? sync_to_json(*report.sync) : Json(nullptr);

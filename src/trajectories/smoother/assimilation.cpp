@@ -82,6 +82,7 @@ Assimilation after_turns(const AssimilationTask& task, Assimilation state, bool 
     const bool settling = fresh && turn < kSettlingTurns;
     variances.set_white_moves(!settling);
     state = after_turn(task, std::move(state), variances);
+    if (std::isnan(state.deviance)) break;  // no turn comes back from a path that is lost
     if (settling) continue;
     if (state.deviance < last - kUnnoticedDeviance) {
       last = state.deviance;

@@ -7,6 +7,7 @@
 
 #include "lacuna/core/base/stages_done.hpp"
 #include "lacuna/core/base/types.hpp"
+#include "lacuna/dynamics/attractor/trapping_region.hpp"
 #include "lacuna/identify/pipeline/validation.hpp"
 #include "lacuna/model/equations/ode_model.hpp"
 #include "lacuna/model/invariants/relations.hpp"
@@ -71,6 +72,8 @@ struct IdentificationResult {
   Adequacy adequacy = {};
   /// Polynomials that are constant on the data, where they were looked for.
   std::vector<Relation> relations = {};
+  /// Whether all paths of the model stay bounded, as far as its energy shows it.
+  TrappingAnswer trapping = {};
   /// Stages that were done to come to this, in order, and those that were left out.
   std::vector<StageDone> stages = {};
 };

@@ -24,26 +24,40 @@ double depth(const TrappingRegion& region, const Vector& x) {
 /// The nine modes of a sinusoidal shear flow (Moehlis, Faisst and Eckhardt, New J. Phys. 6 (2004)
 /// 56, eq. 21) in a box of Lx = 4 pi, Lz = 2 pi, Reynolds number 400.
 OdeModel shear_flow() {
-  return parse_ode(R"(
-param al = 0.5 fixed
-param be = 1.5707963267948966 fixed
-param ga = 1 fixed
-param Re = 400 fixed
-param kag = 1.118033988749895 fixed
-param kbg = 1.862095889118587 fixed
-param kabg = 1.9280574254120867 fixed
-param s32 = 1.224744871391589 fixed
-param s6 = 2.449489742783178 fixed
-da1/dt = be^2/Re - be^2/Re*a1 - s32*be*ga/kabg*a6*a8 + s32*be*ga/kbg*a2*a3
-da2/dt = -(4*be^2/3 + ga^2)/Re*a2 + 5*sqrt(2)/(3*sqrt(3))*ga^2/kag*a4*a6 - ga^2/(s6*kag)*a5*a7 - al*be*ga/(s6*kag*kabg)*a5*a8 - s32*be*ga/kbg*a1*a3 - s32*be*ga/kbg*a3*a9
-da3/dt = -(be^2 + ga^2)/Re*a3 + 2/s6*al*be*ga/(kag*kbg)*a4*a7 + 2/s6*al*be*ga/(kag*kbg)*a5*a6 + (be^2*(3*al^2 + ga^2) - 3*ga^2*(al^2 + ga^2))/(s6*kag*kbg*kabg)*a4*a8
-da4/dt = -(3*al^2 + 4*be^2)/(3*Re)*a4 - al/s6*a1*a5 - 10/(3*s6)*al^2/kag*a2*a6 - s32*al*be*ga/(kag*kbg)*a3*a7 - s32*al^2*be^2/(kag*kbg*kabg)*a3*a8 - al/s6*a5*a9
-da5/dt = -(al^2 + be^2)/Re*a5 + al/s6*a1*a4 + al^2/(s6*kag)*a2*a7 - al*be*ga/(s6*kag*kabg)*a2*a8 + al/s6*a4*a9 + 2/s6*al*be*ga/(kag*kbg)*a3*a6
-da6/dt = -(3*al^2 + 4*be^2 + 3*ga^2)/(3*Re)*a6 + al/s6*a1*a7 + s32*be*ga/kabg*a1*a8 + 10/(3*s6)*(al^2 - ga^2)/kag*a2*a4 - 2*sqrt(2/3)*al*be*ga/(kag*kbg)*a3*a5 + al/s6*a7*a9 + s32*be*ga/kabg*a8*a9
-da7/dt = -(al^2 + be^2 + ga^2)/Re*a7 - al/s6*a1*a6 - al/s6*a6*a9 + (ga^2 - al^2)/(s6*kag)*a2*a5 + al*be*ga/(s6*kag*kbg)*a3*a4
-da8/dt = -(al^2 + be^2 + ga^2)/Re*a8 + 2/s6*al*be*ga/(kag*kabg)*a2*a5 + ga^2*(3*al^2 - be^2 + 3*ga^2)/(s6*kag*kbg*kabg)*a3*a4
-da9/dt = -9*be^2/Re*a9 + s32*be*ga/kbg*a2*a3 - s32*be*ga/kabg*a6*a8
-)", "modes.ode");
+  return parse_ode(
+      "param al = 0.5 fixed\n"
+      "param be = 1.5707963267948966 fixed\n"
+      "param ga = 1 fixed\n"
+      "param Re = 400 fixed\n"
+      "param kag = 1.118033988749895 fixed\n"
+      "param kbg = 1.862095889118587 fixed\n"
+      "param kabg = 1.9280574254120867 fixed\n"
+      "param s32 = 1.224744871391589 fixed\n"
+      "param s6 = 2.449489742783178 fixed\n"
+      "da1/dt = be^2/Re - be^2/Re*a1 - s32*be*ga/kabg*a6*a8"
+      " + s32*be*ga/kbg*a2*a3\n"
+      "da2/dt = -(4*be^2/3 + ga^2)/Re*a2 + 5*sqrt(2)/(3*sqrt(3))*ga^2/kag*a4*a6"
+      " - ga^2/(s6*kag)*a5*a7 - al*be*ga/(s6*kag*kabg)*a5*a8"
+      " - s32*be*ga/kbg*a1*a3 - s32*be*ga/kbg*a3*a9\n"
+      "da3/dt = -(be^2 + ga^2)/Re*a3 + 2/s6*al*be*ga/(kag*kbg)*a4*a7"
+      " + 2/s6*al*be*ga/(kag*kbg)*a5*a6 + (be^2*(3*al^2 + ga^2) - 3*ga^2*(al^2"
+      " + ga^2))/(s6*kag*kbg*kabg)*a4*a8\n"
+      "da4/dt = -(3*al^2 + 4*be^2)/(3*Re)*a4 - al/s6*a1*a5"
+      " - 10/(3*s6)*al^2/kag*a2*a6 - s32*al*be*ga/(kag*kbg)*a3*a7"
+      " - s32*al^2*be^2/(kag*kbg*kabg)*a3*a8 - al/s6*a5*a9\n"
+      "da5/dt = -(al^2 + be^2)/Re*a5 + al/s6*a1*a4 + al^2/(s6*kag)*a2*a7"
+      " - al*be*ga/(s6*kag*kabg)*a2*a8 + al/s6*a4*a9"
+      " + 2/s6*al*be*ga/(kag*kbg)*a3*a6\n"
+      "da6/dt = -(3*al^2 + 4*be^2 + 3*ga^2)/(3*Re)*a6 + al/s6*a1*a7"
+      " + s32*be*ga/kabg*a1*a8 + 10/(3*s6)*(al^2 - ga^2)/kag*a2*a4"
+      " - 2*sqrt(2/3)*al*be*ga/(kag*kbg)*a3*a5 + al/s6*a7*a9"
+      " + s32*be*ga/kabg*a8*a9\n"
+      "da7/dt = -(al^2 + be^2 + ga^2)/Re*a7 - al/s6*a1*a6 - al/s6*a6*a9 + (ga^2"
+      " - al^2)/(s6*kag)*a2*a5 + al*be*ga/(s6*kag*kbg)*a3*a4\n"
+      "da8/dt = -(al^2 + be^2 + ga^2)/Re*a8 + 2/s6*al*be*ga/(kag*kabg)*a2*a5"
+      " + ga^2*(3*al^2 - be^2 + 3*ga^2)/(s6*kag*kbg*kabg)*a3*a4\n"
+      "da9/dt = -9*be^2/Re*a9 + s32*be*ga/kbg*a2*a3 - s32*be*ga/kabg*a6*a8\n",
+      "modes.ode");
 }
 
 TEST(TrappingRegion, OfLorenzIsTheBallAboutSigmaPlusRho) {

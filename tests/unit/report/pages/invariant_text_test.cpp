@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "report/pages/relation_text.hpp"
+#include "report/pages/invariant_text.hpp"
 
 #include <gtest/gtest.h>
+
+#include "lacuna/model/files/ode_text.hpp"
 
 namespace lacuna {
 namespace {
@@ -20,6 +22,12 @@ TEST(RelationText, ReadsLikeAnEquation) {
 TEST(RelationText, SaysWhatCannotBeToldApart) {
   EXPECT_EQ(relation_sentence({{{"S", 1.0, 0.0}, {"I", 1.0, 0.001}}, 1.0, 0.01, 0.01}),
             "S + I = 1 +- 0.02 on these data: S, I and a constant cannot be distinguished");
+}
+
+TEST(TrappingSentence, ReadsLikeAnInequality) {
+  const OdeModel model = parse_ode("dx/dt = -x\ndy/dt = -y\n", "a.ode");
+  EXPECT_EQ(trapping_sentence(model, {Vector{{1e-9, -2.5}}, Vector{{1.0, 0.25}}, 101.33, 1.0}),
+            "All paths come into x^2 + 0.25*(y + 2.5)^2 <= 101^2 and stay");
 }
 
 }  // namespace

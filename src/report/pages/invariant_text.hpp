@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "lacuna/dynamics/attractor/trapping_region.hpp"
 #include "lacuna/model/invariants/relations.hpp"
 
 namespace lacuna {
@@ -13,5 +14,8 @@ std::string relation_text(const Relation& relation);
 /// The same with what follows for an identification: "... on these data: x^2, y^2 and a
 /// constant cannot be distinguished".
 std::string relation_sentence(const Relation& relation);
+
+/// "All paths come into x^2 + y^2 + (z - 38)^2 <= 101^2 and stay".
+std::string trapping_sentence(const OdeModel& model, const TrappingRegion& region);
 
 }  // namespace lacuna

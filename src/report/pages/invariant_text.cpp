@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "relation_text.hpp"
+#include "invariant_text.hpp"
 
 #include <cmath>
 #include <optional>
+#include <vector>
 
 #include "core/base/text.hpp"
 #include "core/statistics/determined.hpp"
@@ -52,6 +53,26 @@ std::string relation_sentence(const Relation& relation) {
   for (const RelationTerm& term : relation.terms)
     names += (names.empty() ? "" : ", ") + term.term;
   return holds + names + " and a constant cannot be distinguished";
+}
+
+std::string trapping_sentence(const OdeModel& model, const TrappingRegion& region) {
+  // For people.
+  constexpr int kDigits = 3;
+  const double spread = region.radius / std::sqrt(region.weights.minCoeff());
+  std::vector<std::string> squares;
+  for (Index k = 0; k < model.dimension(); ++k) {
+    const std::string& name = model.states()[static_cast<std::size_t>(k)].name;
+    const double centre = region.centre[k];
+    const bool is_zero = std::abs(centre) < 0.5 * std::pow(10.0, -kDigits) * spread;
+    const std::string distance =
+        is_zero ? name
+                : "(" + name + (centre < 0.0 ? " + " : " - ") +
+                      format_number(std::abs(centre), kDigits) + ")";
+    const std::string weight = format_number(region.weights[k], kDigits);
+    squares.push_back((weight == "1" ? "" : weight + "*") + distance + "^2");
+  }
+  return "All paths come into " + join(squares, " + ") +
+         " <= " + format_number(region.radius, kDigits) + "^2 and stay";
 }
 
 }  // namespace lacuna
