@@ -123,30 +123,44 @@ class SensorSearch {
   }
 
  private:
+  LateSensors judged(Explanation explanation, std::size_t sensors) const {
+    LateSensors result{std::move(explanation), std::numeric_limits<double>::infinity(), sensors};
+    if (std::isfinite(result.explanation.fit.deviance))
+      result.criterion = criterion_of(problem_, base_, result.explanation);
+    return result;
+  }
+
   /// @param sensors that are effects too.
   LateSensors fitted(const Assimilation& from, const Effects& sensors, const Effects& others) {
     Effects all = sensors;
     all.insert(all.end(), others.begin(), others.end());
     ++tried_;
-    LateSensors result{explain_on(problem_, base_, from, all), 0.0, sensors.size()};
-    const bool known = std::isfinite(result.explanation.fit.deviance);
-    result.criterion = known ? criterion_of(problem_, base_, result.explanation)
-                             : std::numeric_limits<double>::infinity();
-    return result;
+    return judged(explain_on(problem_, base_, from, all), sensors.size());
   }
 
-  /// @param from where the fit begins.
-  LateSensors with_form(const LateSensors& before, const Candidate& form, double tau,
-                        const Assimilation& from) {
+  /// Where a fit with one sensor more begins.
+  struct Start {
+    double tau = 0.0;
+    const Assimilation* from = nullptr;
+  };
+
+  /// The sensors before with one more behind them, then what is beside them.
+  Effects with_sensor(const LateSensors& before, const Candidate& form, double tau) const {
     const auto split =
         before.explanation.effects.begin() + static_cast<std::ptrdiff_t>(before.sensors);
-    Effects sensors(before.explanation.effects.begin(), split);
-    const Effects others(split, before.explanation.effects.end());
+    Effects all(before.explanation.effects.begin(), split);
     const Candidate own = without_clash(form, before.explanation.fit.model.variables().names());
     const ShapeParameter& range = own.shapes.front();
-    sensors.push_back(
+    all.push_back(
         {own, Vector::Constant(1, std::clamp(tau, range.low, range.high)), 1.0, 0.0});
-    return fitted(from, sensors, others);
+    all.insert(all.end(), split, before.explanation.effects.end());
+    return all;
+  }
+
+  LateSensors with_form(const LateSensors& before, const Candidate& form, const Start& start) {
+    ++tried_;
+    return judged(explain_on(problem_, base_, *start.from, with_sensor(before, form, start.tau)),
+                  before.sensors + 1);
   }
 
   /// Whether a channel is among the sensors already.
@@ -157,20 +171,46 @@ class SensorSearch {
     });
   }
 
+  /// The starts from which a rough fit comes farthest, and that fit; without those that fail.
+  std::vector<LateSensors> best_starts(const LateSensors& before, const Candidate& form,
+                                       const std::vector<Start>& starts) {
+    constexpr std::size_t kExactFits = 2;  // a fact of the search: neighbours of the best time
+    std::vector<LateSensors> rough;
+    for (const Start& start : starts) {
+      ++tried_;
+      rough.push_back(judged(explain_roughly_on(problem_, base_, *start.from,
+                                                with_sensor(before, form, start.tau)),
+                             before.sensors + 1));
+    }
+    std::erase_if(rough, [](const LateSensors& one) { return !std::isfinite(one.criterion); });
+    std::stable_sort(
+        rough.begin(), rough.end(),
+        [](const LateSensors& a, const LateSensors& b) { return a.criterion < b.criterion; });
+    const auto kept = static_cast<std::ptrdiff_t>(std::min(kExactFits, rough.size()));
+    rough.erase(rough.begin() + kept, rough.end());
+    return rough;
+  }
+
   /// A filter of first order, the best from several times on; the first sensor also along the
   /// path of the composite model, from the times that this has. Where no other channel shows how
   /// late one is, a path that follows its samples does not.
   std::optional<LateSensors> with_one_filter(const LateSensors& before, const Candidate& form) {
     // Facts of the search: the first of the times, in steps, and their ratio.
     constexpr double kFirstTime = 1.5, kRatioOfTimes = 4.0;
-    std::optional<LateSensors> best;
+    std::vector<Start> starts;
     for (double tau = kFirstTime * base_.scope.step; tau < form.shapes.front().high;
          tau *= kRatioOfTimes)
-      take_better(with_form(before, form, tau, before.explanation.fit), best);
-    if (before.sensors > 0) return best;
-    for (const double tau : times_)
-      take_better(with_form(before, form, tau, before_filters(best_.fit, form.equation, tau, 1)),
-                  best);
+      starts.push_back({tau, &before.explanation.fit});
+    std::vector<Assimilation> paths;
+    paths.reserve(times_.size());  // starts point into it
+    if (before.sensors == 0)
+      for (const double tau : times_) {
+        paths.push_back(before_filters(best_.fit, form.equation, tau, 1));
+        starts.push_back({tau, &paths.back()});
+      }
+    std::optional<LateSensors> best;
+    for (const LateSensors& one : best_starts(before, form, starts))
+      take_better(judged(explain_further_on(problem_, base_, one.explanation), one.sensors), best);
     return best;
   }
 
@@ -188,8 +228,7 @@ class SensorSearch {
       if (!once) continue;
       const FittedEffect& filter = once->explanation.effects[before.sensors];
       const double half = 0.5 * filter.coefficient * filter.shapes[0];
-      LateSensors twice =
-          with_form(before, forms_[f + 1], half, once->explanation.fit);
+      LateSensors twice = with_form(before, forms_[f + 1], {half, &once->explanation.fit});
       take_better(std::move(twice), best);
       take_better(*std::move(once), best);
     }
