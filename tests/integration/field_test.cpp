@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 
 #include <cstdlib>
+#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "integration/program.hpp"
@@ -67,6 +68,21 @@ TEST_F(Field, ASlaveThatIsFasterThanTheSamplesIsIntegrated) {
       run_program("sync " + data("sync_stiff/plant.ode") + " " + data("sync_stiff/rec.csv"));
   EXPECT_THAT(run.out, HasSubstr("its steps between them were adapted")) << run.err;
   EXPECT_THAT(run.out, ::testing::Not(HasSubstr("diverge")));
+  EXPECT_THAT(unfolded(run.out), HasSubstr("Undecided: ")) << "the model is right";
+  EXPECT_THAT(unfolded(run.out), HasSubstr("sample faster"));
+}
+
+TEST_F(Field, AWrongSlaveThatIsFasterThanTheSamplesDoesNotHold) {
+  const TemporaryFolder folder;
+  // Its gain is 0.8 instead of 1; its damping three fifths.
+  for (const std::string rate :
+       {"0.4e6*u - 0.5e6*y - 2500*r", "0.5e6*u - 0.5e6*y - 1500*r"}) {
+    const std::string model = folder.file("wrong.ode");
+    std::ofstream(model) << "time s\ninput u hold zero\nstate y\nstate r\ndy/dt = r\ndr/dt = "
+                         << rate << "\n";
+    const CommandResult run = run_program("sync " + model + " " + data("sync_stiff/rec.csv"));
+    EXPECT_THAT(run.out, HasSubstr("Does not hold")) << rate << run.err;
+  }
 }
 
 TEST_F(Field, ARecordThatComesToRestIsJudgedWhereItMoves) {

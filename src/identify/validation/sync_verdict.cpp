@@ -6,6 +6,7 @@
 
 #include "core/base/check.hpp"
 #include "core/base/text.hpp"
+#include "lacuna/core/numerics/sampled_signal.hpp"
 #include "trajectories/windows/window_gap.hpp"
 
 namespace lacuna {
@@ -175,6 +176,37 @@ bool moves(const Dataset& record) {
   return false;
 }
 
+/// rms of what a cubic through every second sample misses at the others, of each state: more
+/// than what one through all samples misses between them.
+Vector missed_between_samples(const Dataset& record) {
+  Vector squares = Vector::Zero(record.state_count());
+  Index count = 0;
+  for (const Trajectory& run : record.trajectories) {
+    const Index halves = run.samples() / 2;
+    if (halves < 2) continue;
+    const auto known = Eigen::seqN(0, halves, 2), between = Eigen::seqN(1, halves - 1, 2);
+    const Vector times = run.time(between);
+    for (Index k = 0; k < squares.size(); ++k)
+      squares[k] += (interpolate_cubic(run.time(known), run.states(known, k), times) -
+                     run.states(between, k))
+                        .squaredNorm();
+    count += halves - 1;
+  }
+  return (squares / static_cast<double>(std::max<Index>(count, 1))).cwiseSqrt();
+}
+
+/// Whether no state is off by more than what is not known of it between its samples, where the
+/// slave follows a curve of nobody's making.
+bool is_off_between_samples(const Case& c, const Matrix& errors) {
+  const Vector missed = missed_between_samples(c.record);
+  for (Index k = 0; k < errors.cols(); ++k) {
+    const double off = rms(errors.col(k));
+    if (c.floor[k] > 0.0 && off >= c.options.above_noise * c.floor[k] && !(off < missed[k]))
+      return false;
+  }
+  return true;
+}
+
 /// Whether slaves that begin elsewhere in hidden states are together soon enough.
 bool determines_hidden(const Trajectory& first, const SyncResult& result,
                        const SyncVerdictOptions& options) {
@@ -251,6 +283,11 @@ SyncVerdict judge(const OdeModel& model, const Dataset& record, const SyncResult
   const std::string size = "the error is " + size_of(model, c, worst);
   if (adequacy.fits == Adequate::Yes)
     return {.holds = true, .sentence = "Holds: " + size + ".", .adequacy = adequacy};
+  if (c.result.stiff && is_off_between_samples(c, late))
+    return {.decided = false,
+            .sentence = "Undecided: " + size +
+                        ", but the slave is faster than the samples, and a curve through every "
+                        "second one misses the others by more; sample faster."};
   SyncVerdict verdict{.sentence = {}, .adequacy = adequacy};
   const auto most = helped_most(model, c);
   if (most) verdict.equation = model.states()[static_cast<std::size_t>(*most)].name;
