@@ -42,8 +42,9 @@ std::string plain(const std::string& text) {
 
 /// Does what a page says in a folder. @return number of commands that were run.
 int follow(const std::string& page, const TemporaryFolder& folder) {
-  std::filesystem::create_directory_symlink(std::string(LACUNA_SOURCE_DIR) + "/data",
-                                            folder.file("data"));
+  for (const std::string shipped : {"data", "examples"})
+    std::filesystem::create_directory_symlink(std::string(LACUNA_SOURCE_DIR) + "/" + shipped,
+                                              folder.file(shipped));
   const std::string here = "cd '" + folder.path().string() + "' &&";
   std::string printed;
   int commands = 0;
@@ -90,6 +91,11 @@ TEST(Pages, TheLoopOfAPlanRunsAsItStands) {
   const TemporaryFolder folder;
   EXPECT_GE(follow("plan.md", folder), 7);
   EXPECT_THAT(folder.read("third.csv"), ::testing::HasSubstr("u [N]"));
+}
+
+TEST(Pages, PopulationsRunAsTheyStand) {
+  const TemporaryFolder folder;
+  EXPECT_GE(follow("fit/populations.md", folder), 2);
 }
 
 /// Lines of blocks, fenced or indented, that begin with `lacuna`, a `$` in front of it or not.

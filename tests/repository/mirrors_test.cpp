@@ -14,8 +14,12 @@ namespace {
 const std::filesystem::path kRoot = LACUNA_SOURCE_DIR;
 constexpr std::size_t kSmall = 60;  // lines of a source that needs no test of its own
 
+/// Folders inside the folders of a wing are mirrored too.
 std::filesystem::path mirror_of(const std::filesystem::path& source) {
-  return std::filesystem::path("tests/unit") / folder_of(source) /
+  const std::filesystem::path folder = *source.begin() == "src"
+                                           ? source.parent_path().lexically_relative("src")
+                                           : std::filesystem::path(folder_of(source));
+  return std::filesystem::path("tests/unit") / folder /
          (source.stem().string() + "_test.cpp");
 }
 

@@ -154,6 +154,26 @@ OdeModel frame_of_free(const SystemModel& system) {
 
 }  // namespace
 
+namespace {
+
+/// What is wrong with the spread of a parameter over records; empty where nothing is.
+std::string spread_problem(const Parameter& parameter) {
+  const ParameterSpread& spread = *parameter.varies;
+  if (!spread.by_factor && !(spread.size > 0.0 && std::isfinite(spread.size)))
+    return "the deviation by which it varies is not above 0";
+  if (spread.by_factor && !(spread.size > 1.0 && std::isfinite(spread.size)))
+    return "the factor by which it varies is not above 1";
+  if (spread.by_factor && !(parameter.value > 0.0))
+    return "its value is not above 0, but it varies by a factor";
+  if (!parameter.free) return "what is fixed does not vary";
+  if (parameter.per_record)
+    return "it varies and is per_record: each record has its own value either from a "
+           "distribution or without one";
+  return "";
+}
+
+}  // namespace
+
 std::string range_problem(const Parameter& parameter) {
   const std::string range = (parameter.min ? format_number(*parameter.min) : "") + ".." +
                             (parameter.max ? format_number(*parameter.max) : "");
@@ -172,7 +192,7 @@ std::string range_problem(const Parameter& parameter) {
   if (parameter.factor && parameter.deviation) return "it has a deviation and a factor";
   if ((parameter.deviation || parameter.factor) && !parameter.free)
     return "what is fixed has no deviation";
-  return "";
+  return parameter.varies ? spread_problem(parameter) : "";
 }
 
 SystemModel::SystemModel(OdeModel symbolic, std::vector<Parameter> parameters)

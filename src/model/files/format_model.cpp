@@ -64,6 +64,8 @@ std::string parameter_text(const Parameter& parameter) {
   if (parameter.per_record) object["per_record"] = true;
   if (parameter.deviation) object["deviation"] = *parameter.deviation;
   if (parameter.factor) object["factor"] = *parameter.factor;
+  if (const auto& spread = parameter.varies)
+    object["varies"] = {{spread->by_factor ? "factor" : "deviation", spread->size}};
   add_errors(parameter.value, parameter, object);
   return dump(object);
 }

@@ -17,6 +17,9 @@ std::string parameter_line(const Parameter& parameter) {
   std::string text = "param " + parameter.name + " = " + format_number(parameter.value);
   if (parameter.deviation) text += " +- " + format_number(*parameter.deviation);
   if (parameter.factor) text += " */ " + format_number(*parameter.factor);
+  if (parameter.varies)
+    text += (parameter.varies->by_factor ? " varies */ " : " varies +- ") +
+            format_number(parameter.varies->size);
   text = with_unit(text, parameter.unit);
   if (parameter.min || parameter.max)
     text += " in " + (parameter.min ? format_number(*parameter.min) : "") + ".." +

@@ -175,13 +175,25 @@ std::vector<Equation> read_equations(const JsonPlace& list, const VariableIndex&
   return equations;
 }
 
+/// How a parameter varies over records.
+std::optional<ParameterSpread> read_spread(const JsonPlace& parameter) {
+  const auto place = parameter.find("varies");
+  if (!place) return std::nullopt;
+  place->expect_keys({"deviation", "factor"});
+  const auto deviation = read_number(*place, "deviation"), factor = read_number(*place, "factor");
+  if (deviation.has_value() == factor.has_value())
+    place->fail("it is neither a deviation nor a factor",
+                "write one of both, e.g. {\"factor\": 1.5}");
+  return ParameterSpread{deviation ? *deviation : *factor, factor.has_value()};
+}
+
 std::vector<Parameter> read_parameters(const JsonPlace& list, FirstPaths& taken) {
   std::vector<Parameter> parameters;
   for (std::size_t i = 0; i < list.size(); ++i) {
     const JsonPlace entry = list.at(i);
     entry.expect_keys(
         {"name", "value", "unit", "free", "min", "max", "per_record", "deviation", "factor",
-         "stderr", "ci95"});
+         "varies", "stderr", "ci95"});
     const JsonPlace name = entry.at("name");
     check_quantity_name(name, name.text(), taken);
     Parameter parameter{.name = name.text(),
@@ -193,6 +205,7 @@ std::vector<Parameter> read_parameters(const JsonPlace& list, FirstPaths& taken)
                         .per_record = read_flag(entry, "per_record", false),
                         .deviation = read_number(entry, "deviation"),
                         .factor = read_number(entry, "factor"),
+                        .varies = read_spread(entry),
                         .standard_error = read_error(entry)};
     if (const auto interval = entry.find("ci95")) parameter.ci95 = read_interval(*interval);
     if (const std::string problem = range_problem(parameter); !problem.empty())

@@ -13,8 +13,8 @@ namespace lacuna {
 namespace {
 
 /// Words that may stand behind a value.
-constexpr std::array<std::string_view, 5> kBehindValues = {"fixed", "in", "deviation",
-                                                           "per_record", "at"};
+constexpr std::array<std::string_view, 6> kBehindValues = {
+    "fixed", "in", "deviation", "per_record", "at", "varies"};
 /// What no value goes on with, whether a blank stands in front of it or not.
 constexpr std::array<std::string_view, 2> kDeviations = {"+-", "*/"};
 

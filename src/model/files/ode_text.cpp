@@ -153,6 +153,15 @@ void read_range(OdeLine& line, const Statements& said, Parameter& parameter) {
   parameter.max = read_end(line, range.substr(dots + 2), said);
 }
 
+/// "varies */ FACTOR" or "varies +- DEVIATION", if it is next.
+void read_spread(OdeLine& line, const Statements& said, Parameter& parameter) {
+  if (!line.take("varies")) return;
+  const bool by_factor = line.take("*/");
+  if (!by_factor && !line.take("+-"))
+    line.fail("there is no spread behind 'varies'", "write varies */ 1.5 or varies +- 0.2");
+  parameter.varies = ParameterSpread{read_value(line, said), by_factor};
+}
+
 void read_parameter(OdeLine& line, Statements& said) {
   Parameter parameter{.name = line.identifier("name of a parameter")};
   take_name(line, parameter.name, said);
@@ -161,7 +170,9 @@ void read_parameter(OdeLine& line, Statements& said) {
   parameter.value = read_value(line, said);
   if (line.take("+-")) parameter.deviation = read_value(line, said);
   if (line.take("*/")) parameter.factor = read_value(line, said);
+  read_spread(line, said, parameter);
   parameter.unit = line.unit();
+  if (!parameter.varies) read_spread(line, said, parameter);
   if (line.take("in")) read_range(line, said, parameter);
   parameter.free = !line.take("fixed");
   parameter.per_record = line.take("per_record");

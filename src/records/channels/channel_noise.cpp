@@ -59,6 +59,11 @@ NoiseLaw ChannelNoise::sized() const {
   return law;
 }
 
+void ChannelNoise::set_sizes(double constant, double fraction) {
+  if (!law_.constant) sizes_.a = constant;
+  if (!law_.fraction) sizes_.b = fraction;
+}
+
 Censoring ChannelNoise::censoring(double measured) const {
   if (law_.below && measured <= *law_.below) return Censoring::Below;
   if (law_.above && measured >= *law_.above) return Censoring::Above;

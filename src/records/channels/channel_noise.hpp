@@ -43,6 +43,9 @@ class ChannelNoise {
   /// The law with the present sizes.
   NoiseLaw sized() const;
 
+  /// Takes sizes, each > 0, in the place of the present ones; those that are given stay.
+  void set_sizes(double constant, double fraction);
+
   /// What a measured value says by the limits of the law.
   Censoring censoring(double measured) const;
 

@@ -18,6 +18,20 @@ std::vector<GapRecord> runs_of(const Fit& fit) {
   return runs;
 }
 
+/// The spread of a number over the records, of its logarithm where it varies by a factor.
+std::vector<std::string> spread_row(const FittedParameter& number) {
+  const FittedSpread& spread = *number.spread;
+  const std::string name =
+      (spread.by_factor ? "spread of log " : "spread of ") + number.name;
+  const std::string limits =
+      spread.ci95      ? "[" + format_number((*spread.ci95)[0], 5) + ", " +
+                             format_number((*spread.ci95)[1], 5) + "]"
+      : spread.at_most ? "at most " + format_number(*spread.at_most, 3)
+                       : "not determined by itself";
+  return {name, format_number(spread.start, 5), format_number(spread.value, 6), limits,
+          spread.by_factor ? "" : number.unit};
+}
+
 PageSection numbers_section(const Fit& fit) {
   std::vector<std::vector<std::string>> rows;
   for (const FittedParameter& number : fit.numbers)
@@ -27,6 +41,9 @@ PageSection numbers_section(const Fit& fit) {
                     : number.bound ? "at the " + *number.bound + " of its range"
                                    : "not determined by itself",
                     number.unit});
+  for (const FittedParameter& number : fit.numbers)
+    if (number.spread)
+      rows.push_back(spread_row(number));
   std::vector<std::string> sentences;
   for (const FitCombination& combination : fit.combinations)
     sentences.push_back(combination.message);

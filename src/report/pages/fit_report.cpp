@@ -32,6 +32,36 @@ Json numbers_or_null(const std::vector<double>& values) {
   return list;
 }
 
+/// How a number varies over the records.
+Json spread_json(const FittedSpread& spread) {
+  Json json{{"law", spread.by_factor ? "lognormal" : "normal"},
+            {"start", spread.start},
+            {"value", number_json(spread.value)},
+            {"stderr", optional_json(spread.standard_error)},
+            {"ci95", optional_json(spread.ci95)}};
+  if (spread.at_most) json["at_most"] = number_json(*spread.at_most);
+  if (spread.value == 0.0) json["bound"] = "min";
+  json["shrinkage"] = number_json(spread.shrinkage);
+  return json;
+}
+
+Json population_json(const Fit& fit) {
+  const FitPopulation& population = *fit.population;
+  Json records = Json::array(), deviations = Json::array();
+  for (std::size_t r = 0; r < population.log_likelihood.size(); ++r)
+    records.push_back({{"record", fit.records[r]},
+                       {"log_likelihood", number_json(population.log_likelihood[r])}});
+  for (std::size_t c = 0; c < population.deviations.size(); ++c)
+    deviations.push_back({{"channel", fit.quality[c].channel},
+                          {"deviation", number_json(population.deviations[c])}});
+  return {{"method", "Laplace"},
+          {"unknowns", population.unknowns},
+          {"aicc", number_json(population.aicc)},
+          {"bic", number_json(population.bic)},
+          {"noise", std::move(deviations)},
+          {"records", std::move(records)}};
+}
+
 Json numbers_json(const Fit& fit) {
   Json list = Json::array();
   for (const FittedParameter& number : fit.numbers) {
@@ -48,6 +78,7 @@ Json numbers_json(const Fit& fit) {
       entry["per_record"] = numbers_or_null(number.per_record);
       entry["per_record_stderr"] = numbers_or_null(number.per_record_errors);
     }
+    if (number.spread) entry["spread"] = spread_json(*number.spread);
     list.push_back(std::move(entry));
   }
   return list;
@@ -167,7 +198,7 @@ std::string interval_text(const FittedParameter& number) {
   if (number.bound)
     return "at the " + *number.bound + " of its range" + (limit.empty() ? "" : ", " + limit);
   if (!limit.empty()) return "not determined: " + limit;
-  if (!number.per_record.empty()) return "own in each record";
+  if (!number.per_record.empty() && !number.spread) return "own in each record";
   if (!number.ci95) return "not determined by itself";
   const auto [low, high] = *number.ci95;
   const double half = (high - low) / 2.0;
@@ -187,13 +218,42 @@ std::string value_text(const FittedParameter& number) {
   return format_number(number.value, digits_of(number.value, half));
 }
 
+/// "varies */ 1.9 [1.5, 2.8], shrinkage 3 %".
+std::string spread_text(const FittedSpread& spread) {
+  const auto size = [&](double value) {
+    return format_number(spread.by_factor ? std::exp(value) : value, 3);
+  };
+  const std::string sign = spread.by_factor ? "*/ " : "+- ";
+  if (spread.value == 0.0)
+    return "does not vary" + (spread.at_most ? " (at most " + sign + size(*spread.at_most) + ")"
+                                             : std::string());
+  return "varies " + sign + size(spread.value) +
+         (spread.ci95 ? " [" + size((*spread.ci95)[0]) + ", " + size((*spread.ci95)[1]) + "]"
+                      : std::string()) +
+         ", shrinkage " + format_number(100.0 * spread.shrinkage, 2) + " %";
+}
+
+/// What each record has for itself of the numbers that vary.
+void write_individuals(const Fit& fit, std::ostringstream& out) {
+  out << "Individual values\n";
+  for (std::size_t r = 0; r < fit.records.size(); ++r) {
+    out << "  " << fit.records[r] << ":";
+    for (const FittedParameter& number : fit.numbers)
+      if (number.spread) out << " " << number.name << " " << format_number(number.per_record[r], 4);
+    out << "\n";
+  }
+}
+
 void write_numbers(const Fit& fit, std::ostringstream& out) {
   const std::size_t width = name_width(fit);
   out << "Numbers (95 % intervals)\n";
   for (const FittedParameter& number : fit.numbers)
     out << "  " << padded(number.name, width) << "  "
         << padded(value_text(number), 11) << "  " << interval_text(number)
-        << (number.unit.empty() ? "" : "  " + number.unit) << "\n";
+        << (number.unit.empty() ? "" : "  " + number.unit) << "\n"
+        << (number.spread
+                ? "  " + padded("", width) + "  " + spread_text(*number.spread) + "\n"
+                : std::string());
   for (const FitCorrelation& pair : fit.correlations)
     out << "  " << pair.first << " and " << pair.second
         << " are correlated: " << format_number(pair.correlation, 3) << "\n";
@@ -244,6 +304,20 @@ void write_quality(const std::string& title, const std::vector<FitQuality>& chan
     out << "  " << quality.channel << ": " << quality_text(quality, ahead) << "\n";
 }
 
+bool starts_are_fixed(const Fit& fit) {
+  return std::all_of(fit.initial.begin(), fit.initial.end(), [](const auto& record) {
+    return std::all_of(record.begin(), record.end(),
+                       [](const FittedStart& start) { return start.fixed; });
+  });
+}
+
+/// What stands behind the log-likelihood where it is that of a population.
+std::string likelihood_note(const Fit& fit) {
+  if (!fit.population) return "";
+  return " of the population, AICc " + format_number(fit.population->aicc, 6) + ", BIC " +
+         format_number(fit.population->bic, 6);
+}
+
 }  // namespace
 
 std::string format_json(const Fit& fit) {
@@ -258,6 +332,7 @@ std::string format_json(const Fit& fit) {
   json["initial"] = initial_json(fit);
   json["fit"] = quality_json(fit.quality, fit.prediction);
   json["log_likelihood"] = number_json(fit.log_likelihood);
+  if (fit.population) json["population"] = population_json(fit);
   json["adequacy"] = adequacy_json(fit.adequacy);
   const FitStanding standing = standing_of(fit);
   json["verdict"] = {{"sound", standing.is_sound()},
@@ -287,7 +362,9 @@ std::string format_text(const Fit& fit) {
   write_numbers(fit, out);
   for (const FitCombination& combination : fit.combinations)
     out << "Not identifiable: " << combination.message << "\n";
-  for (std::size_t r = 0; r < fit.initial.size(); ++r) {
+  if (fit.population) write_individuals(fit, out);
+  const std::size_t shown = fit.population && starts_are_fixed(fit) ? 0 : fit.initial.size();
+  for (std::size_t r = 0; r < shown; ++r) {
     out << (r == 0 ? "Initial states\n" : "") << "  " << fit.records[r] << ":";
     for (const FittedStart& start : fit.initial[r])
       out << " " << start.state << " " << format_number(start.value, 5)
@@ -299,7 +376,8 @@ std::string format_text(const Fit& fit) {
   }
   write_quality("Free run", fit.quality, fit.prediction, out);
   if (std::isfinite(fit.log_likelihood) && !fit.runs.empty())
-    out << "  log-likelihood " << format_number(fit.log_likelihood, 7) << "\n";
+    out << "  log-likelihood " << format_number(fit.log_likelihood, 7) << likelihood_note(fit)
+        << "\n";
   if (fit.gap) {
     write_quality("Free run of held-out records", fit.gap->channels, fit.prediction, out);
     out << "  gap " << format_number(fit.gap->before, 3) << " -> "

@@ -3,21 +3,21 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <numbers>
 #include <utility>
 
 #include "core/base/text.hpp"
 #include "data/records/check_record.hpp"
 #include "data/records/known_noise.hpp"
 #include "data/records/number_range.hpp"
-#include "fit_adequacy.hpp"
+#include "fit_answer.hpp"
 #include "fit_numbers.hpp"
 #include "fit_quality.hpp"
 #include "fit_search.hpp"
 #include "lacuna/core/base/error.hpp"
 #include "lacuna/records/binding/model_view.hpp"
 #include "records/binding/other_records.hpp"
+#include "trajectories/fit/adequacy/fit_adequacy.hpp"
+#include "trajectories/fit/population/population_fit.hpp"
 
 namespace lacuna {
 namespace {
@@ -49,89 +49,6 @@ void check_enough(const FitEngine& engine, const FitUnknowns& unknowns) {
                     "give more samples, or mark terms, parameters and initial values as fixed");
 }
 
-std::vector<FitCorrelation> correlations_of(const FitEngine& engine,
-                                            const FitUnknowns& unknowns,
-                                            const FitErrors& errors) {
-  constexpr double kMuch = 0.9;
-  const std::vector<std::string> names = engine.model.names();
-  const auto name = [&](Index i) {
-    return names[static_cast<std::size_t>(unknowns.global[static_cast<std::size_t>(i)])];
-  };
-  const Vector deviation = errors.covariance.diagonal().cwiseSqrt();
-  std::vector<FitCorrelation> found;
-  for (Index i = 0; i < deviation.size(); ++i)
-    for (Index j = i + 1; j < deviation.size(); ++j) {
-      const double both = deviation[i] * deviation[j];
-      if (both > 0.0 && std::isfinite(both) && std::abs(errors.covariance(i, j)) > kMuch * both)
-        found.push_back({name(i), name(j), errors.covariance(i, j) / both});
-    }
-  return found;
-}
-
-std::vector<std::vector<FittedStart>> starts_of(const FitEngine& engine,
-                                                const FitUnknowns& unknowns,
-                                                const FitPoint& point,
-                                                const FitErrors& errors) {
-  std::vector<std::vector<FittedStart>> records;
-  for (Index r = 0; r < point.starts.rows(); ++r) {
-    std::vector<FittedStart>& states = records.emplace_back();
-    for (Index k = 0; k < engine.states(); ++k) {
-      const auto& initial = unknowns.initial[static_cast<std::size_t>(k)];
-      FittedStart start{engine.model.symbolic().states()[static_cast<std::size_t>(k)].name,
-                        point.starts(r, k), initial && initial->fixed};
-      if (!start.fixed && std::isfinite(errors.starts(r, k)))
-        start.standard_error = errors.starts(r, k);
-      states.push_back(std::move(start));
-    }
-  }
-  return records;
-}
-
-/// Gives a coefficient its number. Where the model has joined terms (they are one with numbers
-/// for fixed parameters), it is that of their sum: the first that is free takes what the others
-/// leave.
-void set_coefficient(const SystemModel& system, const std::vector<Index>& places, Index place,
-                     const FittedParameter& number, Equation& equation) {
-  WeightedTerm* first = nullptr;
-  double others = 0.0;
-  for (std::size_t i = 0; i < equation.size(); ++i) {
-    if (places[i] != place) continue;
-    const bool free = !equation[i].fixed && !system.gives_size(equation[i].term.expression());
-    if (first == nullptr && free)
-      first = &equation[i];
-    else
-      others += equation[i].coefficient;
-  }
-  first->coefficient = number.value - others;
-  first->standard_error = number.standard_error;
-  first->ci95 = number.ci95;
-  if (first->ci95)
-    for (double& end : *first->ci95) end -= others;
-}
-
-/// The system with the numbers in their places.
-SystemModel with_numbers(const SystemModel& system, const ParametrisedModel& model,
-                         std::vector<FittedParameter>& numbers) {
-  std::vector<Equation> equations = system.symbolic().equations();
-  const std::vector<std::vector<Index>> places = system.places_in_parametrised();
-  std::size_t i = 0;
-  for (const FreeCoefficient& free : model.coefficients()) {
-    const auto k = static_cast<std::size_t>(free.equation);
-    set_coefficient(system, places[k], free.summand, numbers[i++], equations[k]);
-  }
-  std::vector<Parameter> parameters = system.parameters();
-  for (Parameter& parameter : parameters) {
-    if (!parameter.free) continue;
-    numbers[i].unit = parameter.unit;
-    parameter.value = numbers[i].value;
-    parameter.deviation.reset();  // what was known before is part of the estimate now
-    parameter.factor.reset();
-    parameter.standard_error = numbers[i].standard_error;
-    parameter.ci95 = numbers[i++].ci95;
-  }
-  return {system.symbolic().with_equations(std::move(equations)), std::move(parameters)};
-}
-
 /// Where fixed initial values hold, if that is not time 0.
 std::string start_note(const SystemModel& system, const Dataset& data) {
   const auto& initial = system.symbolic().initial();
@@ -152,170 +69,6 @@ std::string no_gap(const FitOptions& options) {
          std::to_string(options.window) +
          ", which give the initial states: there is no gap (see --start-samples)";
 }
-
-/// What the residuals of a channel say; empty where they are noise or rounding.
-std::string note_of(const FitQuality& quality) {
-  if (quality.residuals == Adequate::No)
-    return "the residuals of " + quality.channel + " are not white (" + quality.sign +
-           ", p = " + format_number(quality.chance, 2) +
-           "): the model lacks something (see `lacuna diagnose`), and intervals hold for this "
-           "model only";
-  if (quality.residuals == Adequate::Undetermined && !(quality.fit_percent >= kExactFit))
-    return std::to_string(quality.samples) + " samples of " + quality.channel +
-           " are too few to show a deviation of the model as large as the noise";
-  return "";
-}
-
-/// The log-likelihood of all values.
-double total_of(const std::vector<FitRun>& runs) {
-  double total = 0.0;
-  for (const FitRun& run : runs)
-    for (const double likelihood : run.log_likelihood.reshaped())
-      if (std::isfinite(likelihood)) total += likelihood;
-  return total;
-}
-
-std::vector<std::string> notes_of(const Fit& fit) {
-  std::vector<std::string> notes;
-  if (!fit.converged)
-    notes.push_back("the fit did not converge: the numbers are the last ones");
-  for (const FittedParameter& number : fit.numbers)
-    if (number.bound)
-      notes.push_back(number.name + " ended at the " + *number.bound + " of its range");
-  for (const FitQuality& quality : fit.quality)
-    if (const std::string note = note_of(quality); !note.empty()) notes.push_back(note);
-  if (fit.starts > 1)
-    notes.push_back(std::to_string(fit.agreeing) + " of " + std::to_string(fit.starts) +
-                    " searches came to the same numbers");
-  if (const std::string line = left_out_line(fit.stages); !line.empty()) notes.push_back(line);
-  return notes;
-}
-
-/// Mean and deviation of the states along the paths, m x 2.
-Matrix usual_states(const FitPath& path) {
-  Matrix usual(path.states.cols(), 2);
-  for (Index k = 0; k < usual.rows(); ++k) {
-    const double mean = path.states.col(k).mean();
-    usual(k, 0) = mean;
-    usual(k, 1) = std::sqrt((path.states.col(k).array() - mean).square().mean());
-  }
-  return usual;
-}
-
-/// The law of each channel that has one, and how many values are limits only.
-void add_laws(const FitEngine& engine, std::vector<FitQuality>& quality) {
-  for (std::size_t c = 0; c < quality.size(); ++c) {
-    const auto channel = static_cast<Index>(c);
-    const Matrix& known = engine.records.deviations;
-    if (known.size() > 0 && known.col(channel).maxCoeff() > 0.0) quality[c].sizes = 0;
-    if (!engine.laws[c]) continue;
-    const NoiseLaw& given = engine.laws[c]->law();
-    quality[c].law = engine.laws[c]->sized();
-    quality[c].sizes = (has_constant(given.form) && !given.constant ? 1 : 0) +
-                       (has_fraction(given.form) && !given.fraction ? 1 : 0);
-    for (Index n = 0; n < engine.records.samples(); ++n)
-      if (engine.records.valid(n, channel) > 0.0 && !is_value(engine, n, channel))
-        ++quality[c].censored;
-  }
-}
-
-/// Log-likelihoods of the values of one record, n x c: NaN for what is no value. A channel
-/// without a law is normal with the mean square of its residuals.
-Matrix likelihoods_of(const FitEngine& engine, const FitPath& path, Index record) {
-  const Index first = engine.records.first(record), n = engine.records.end(record) - first;
-  Matrix all = Matrix::Constant(n, engine.count(), std::numeric_limits<double>::quiet_NaN());
-  for (Index c = 0; c < engine.count(); ++c) {
-    const auto& law = engine.laws[static_cast<std::size_t>(c)];
-    const double count = engine.records.valid.col(c).sum();
-    const double variance = std::max(path.residuals.col(c).squaredNorm() / count,
-                                     std::numeric_limits<double>::min());
-    for (Index i = 0; i < n; ++i) {
-      if (engine.records.valid(first + i, c) == 0.0) continue;
-      const double value = engine.records.values(first + i, c),
-                   residual = path.residuals(first + i, c);
-      const bool known =
-          engine.records.deviations.size() > 0 && engine.records.deviations(first + i, c) > 0.0;
-      const double own =
-          known ? std::pow(engine.records.deviations(first + i, c), 2) : variance;
-      all(i, c) = law ? law->log_likelihood(value, value - residual)
-                      : -0.5 * (std::log(2.0 * std::numbers::pi * own) +
-                                residual * residual / own);
-    }
-  }
-  return all;
-}
-
-std::vector<FitRun> runs_of(const FitEngine& engine, const FitPath& path) {
-  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-  std::vector<FitRun> runs;
-  for (Index r = 0; r < engine.records.records(); ++r) {
-    const Index first = engine.records.first(r), n = engine.records.end(r) - first;
-    FitRun run{engine.records.sources[static_cast<std::size_t>(r)],
-               engine.records.series.time.segment(first, n),
-               engine.records.values.middleRows(first, n), Matrix(),
-               likelihoods_of(engine, path, r)};
-    run.model = run.measured - path.residuals.middleRows(first, n);
-    for (Index c = 0; c < engine.count(); ++c)
-      for (Index i = 0; i < n; ++i)
-        if (engine.records.valid(first + i, c) == 0.0)
-          run.measured(i, c) = run.model(i, c) = kNone;
-    runs.push_back(std::move(run));
-  }
-  return runs;
-}
-
-}  // namespace
-
-FitStanding standing_of(const Fit& fit) {
-  FitStanding standing{.converged = fit.converged,
-                       .fits = fit.adequacy.fits,
-                       .numbers = fit.numbers.size()};
-  for (const FittedParameter& number : fit.numbers) {
-    const auto& errors = number.per_record_errors;
-    const bool each = !number.per_record.empty() &&
-                      std::all_of(errors.begin(), errors.end(),
-                                  [](double error) { return std::isfinite(error); });
-    if (number.bound)
-      standing.at_ends.push_back(number.name);
-    else if (!number.ci95 && !each)
-      standing.open.push_back(number.name);
-  }
-  standing.is_exact = fit.adequacy.fits == Adequate::Undetermined && !fit.quality.empty() &&
-                      std::all_of(fit.quality.begin(), fit.quality.end(),
-                                  [](const FitQuality& quality) {
-                                    return quality.fit_percent >= kExactFit;
-                                  });
-  return standing;
-}
-
-std::string sentence_of(const FitStanding& standing) {
-  if (!standing.converged) return "The fit did not converge.";
-  std::string numbers = "The parameters are estimated";
-  const std::size_t off = standing.open.size() + standing.at_ends.size();
-  if (off > 0) {
-    std::vector<std::string> parts;
-    if (!standing.open.empty())
-      parts.push_back("the records do not determine " + join(standing.open, ", "));
-    if (!standing.at_ends.empty())
-      parts.push_back(join(standing.at_ends, ", ") + " ended at the end of the range");
-    numbers = std::to_string(standing.numbers - off) + " of " +
-              std::to_string(standing.numbers) + " parameters are determined (" +
-              join(parts, "; ") + ")";
-  }
-  switch (standing.fits) {
-    case Adequate::Yes:
-      return numbers + ", and the residuals are noise.";
-    case Adequate::No:
-      return numbers + "; the residuals have structure.";
-    case Adequate::Undetermined:
-      break;
-  }
-  if (standing.is_exact) return numbers + "; the residual is rounding.";
-  return numbers +
-         "; the samples are too few to show whether the residuals are noise.";
-}
-
-namespace {
 
 /// Records that begin where initial values hold.
 struct FitData {
@@ -368,6 +121,50 @@ std::vector<StageDone> stages_of(const FitOptions& options, const FitSearch& sea
           stage("profiles", !options.profile, known.in_time)};
 }
 
+/// The fit of numbers that records share, or have for themselves alone.
+FitEstimate estimate(const SystemModel& system, FitEngine& engine,
+                          const FitUnknowns& unknowns, const FitPoint& start,
+                          const FitOptions& options, const RunContext& context, Fit& result) {
+  const FitSearch search =
+      search_fit(engine, unknowns, start,
+                 {.restarts = options.restarts,
+                  .spread = options.spread,
+                  .only_given = options.effort == Thoroughness::Quick},
+                 context);
+  if (!std::isfinite(search.best.path.cost)) throw_no_run();
+  context.unhurried().report("errors of the numbers", 0.9);
+  result.degrees_of_freedom = degrees_of_freedom(engine, unknowns);
+  const KnownNumbers known =
+      known_numbers(engine, unknowns, search.best, profiles_for(options), context);
+  result.stages = stages_of(options, search, known);
+  result.numbers = numbers_of(engine, unknowns, known);
+  result.model = with_numbers(system, engine.model, result.numbers);
+  if (options.profile) result.profiles = curves_of(engine, unknowns, known);
+  result.correlations = correlations_of(engine, unknowns, known.errors.covariance);
+  result.initial = starts_of(engine, unknowns, known.minimum.point, known.errors.starts);
+  result.combinations = known.errors.combinations;
+  add_limits(result.numbers, result.combinations);
+  result.starts = search.starts;
+  result.agreeing = search.agreeing;
+  return {known.minimum, unknowns, known.minimum.point};
+}
+
+/// Everything of a fit that its minimum says.
+void describe(FitEngine& engine, const FitEstimate& found, const FitOptions& options,
+              const RunContext& context, Fit& result) {
+  const FitMinimum& best = found.minimum;
+  result.quality = quality_of(engine, best.point, best.path, options.prediction, 0);
+  add_laws(engine, result.quality);
+  result.adequacy =
+      adequacy_of_run(engine, found.unknowns, best, context.seed, result.quality);
+  result.records = engine.records.sources;
+  result.converged = best.converged;
+  result.substeps = engine.implicit ? 0 : engine.signals.scheme.substeps;
+  result.prediction = options.prediction;
+  result.runs = runs_of(engine, best.path);
+  result.log_likelihood = total_of(result.runs);
+}
+
 }  // namespace
 
 Fit fit(const SystemModel& system, const Dataset& records, const Dataset& held_out_records,
@@ -382,52 +179,23 @@ Fit fit(const SystemModel& system, const Dataset& records, const Dataset& held_o
   const FitPoint start{model.values().transpose().replicate(engine.records.records(), 1),
                        engine.records.starts};
   context.unhurried().report("fitting", 0.0);
-  const FitSearch search =
-      search_fit(engine, unknowns, start,
-                 {.restarts = options.restarts,
-                  .spread = options.spread,
-                  .only_given = options.effort == Thoroughness::Quick},
-                 context);
-  FitMinimum best = search.best;
-  if (!std::isfinite(best.path.cost))
-    throw DataError("model", "it has no free run along the records that stays finite",
-                    "start from other numbers, or give ranges to its parameters");
-  context.unhurried().report("errors of the numbers", 0.9);
   Fit result{.model = system};
-  result.degrees_of_freedom = degrees_of_freedom(engine, unknowns);
-  const KnownNumbers known =
-      known_numbers(engine, unknowns, best, profiles_for(options), context);
-  result.stages = stages_of(options, search, known);
-  best = known.minimum;
-  const FitErrors& errors = known.errors;
-  result.quality = quality_of(engine, best.point, best.path, options.prediction, 0);
-  add_laws(engine, result.quality);
-  result.adequacy = adequacy_of_run(engine, unknowns, best, context.seed, result.quality);
-  result.numbers = numbers_of(engine, unknowns, known);
-  result.model = with_numbers(system, model, result.numbers);
-  if (options.profile) result.profiles = curves_of(engine, unknowns, known);
-  result.correlations = correlations_of(engine, unknowns, errors);
-  result.initial = starts_of(engine, unknowns, best.point, errors);
-  result.records = engine.records.sources;
-  result.combinations = errors.combinations;
-  add_limits(result.numbers, result.combinations);
-  result.converged = best.converged;
-  result.starts = search.starts;
-  result.agreeing = search.agreeing;
-  result.substeps = engine.implicit ? 0 : engine.signals.scheme.substeps;
-  result.prediction = options.prediction;
+  const auto& method = varies(system) ? estimate_population : estimate;
+  const FitEstimate found =
+      method(system, engine, unknowns, start, options, context, result);
+  describe(engine, found, options, context, result);
+  if (result.population) complete_population(result);
   if (!held_out.trajectories.empty())
-    result.gap = gap_of(model, best.point, held_out, usual_states(best.path), options,
-                        unknowns.local);
-  result.notes = notes_of(result);
+    result.gap = gap_of(model, found.typical, held_out, usual_states(found.minimum.path),
+                        options, found.unknowns);
+  std::vector<std::string> notes = notes_of(result);
+  result.notes.insert(result.notes.begin(), notes.begin(), notes.end());
   if (!held_out.trajectories.empty() && !result.gap) result.notes.push_back(no_gap(options));
   if (const std::string note = start_note(system, data); !note.empty())
     result.notes.push_back(note);
   const std::vector<std::string>& left_out = engine.records.notes;
-  for (const auto* notes : {&data.notes, &left_out})
-    result.notes.insert(result.notes.end(), notes->begin(), notes->end());
-  result.runs = runs_of(engine, best.path);
-  result.log_likelihood = total_of(result.runs);
+  for (const auto* more : {&data.notes, &left_out})
+    result.notes.insert(result.notes.end(), more->begin(), more->end());
   return result;
 }
 

@@ -159,21 +159,26 @@ void set_substeps(FitEngine& engine, Index substeps) {
         stage_signals(engine.records.series, engine.rates, {&runge_kutta_4(), substeps});
 }
 
+void follow_record(FitEngine& engine, const FitPoint& point, const Gains& gains, Index record,
+                   FitPath& path) {
+  RunScratch scratch(engine);
+  engine.rates.set(point.parameters.row(record).transpose());
+  Vector x = point.starts.row(record).transpose();
+  begin_path(engine);
+  const Index end = engine.records.end(record);
+  for (Index n = engine.records.first(record); n < end; ++n) {
+    arrive(engine, n, x, path);
+    path.states.row(n) = x.transpose();
+    compare(engine, n, x, scratch, path.residuals);
+    correct(gains, n, path.residuals, x);
+    if (n + 1 < end) advance(engine, n, x, scratch, path.stages);
+  }
+}
+
 FitPath follow(FitEngine& engine, const FitPoint& point, const Gains& gains) {
   FitPath path = empty_path(engine);
-  RunScratch scratch(engine);
-  for (Index r = 0; r < engine.records.records(); ++r) {
-    engine.rates.set(point.parameters.row(r).transpose());
-    Vector x = point.starts.row(r).transpose();
-    begin_path(engine);
-    for (Index n = engine.records.first(r); n < engine.records.end(r); ++n) {
-      arrive(engine, n, x, path);
-      path.states.row(n) = x.transpose();
-      compare(engine, n, x, scratch, path.residuals);
-      correct(gains, n, path.residuals, x);
-      if (n + 1 < engine.records.end(r)) advance(engine, n, x, scratch, path.stages);
-    }
-  }
+  for (Index r = 0; r < engine.records.records(); ++r)
+    follow_record(engine, point, gains, r, path);
   path.cost = cost_of(engine, path);
   return path;
 }

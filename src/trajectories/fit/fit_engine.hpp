@@ -80,6 +80,10 @@ Matrix whitened(const FitEngine& engine, const FitPath& path);
 /// The model along the records: x_{n+1} = F(x_n + K_n (y_n - h(x_n))).
 FitPath follow(FitEngine& engine, const FitPoint& point, const Gains& gains);
 
+/// The same along one record, written into its rows of a path; the cost stays as it is.
+void follow_record(FitEngine& engine, const FitPoint& point, const Gains& gains, Index record,
+                   FitPath& path);
+
 /// Takes implicit steps where the model is stiff: along its path with them explicit ones are
 /// unstable, as many as there may be in a sampling interval. Where events are set off by guards
 /// steps are implicit anyway.

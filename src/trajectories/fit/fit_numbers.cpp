@@ -177,7 +177,8 @@ std::vector<FitProfile> curves_of(const FitEngine& engine, const FitUnknowns& un
 void add_limits(const std::vector<FittedParameter>& numbers,
                 std::vector<FitCombination>& combinations) {
   for (const FittedParameter& number : numbers) {
-    if (number.bound || number.ci95 || !number.per_record.empty()) continue;
+    const bool is_own = !number.per_record.empty() && !number.spread;
+    if (number.bound || number.ci95 || is_own) continue;
     const bool named = std::any_of(combinations.begin(), combinations.end(),
                                    [&](const FitCombination& one) {
                                      return std::find(one.members.begin(), one.members.end(),

@@ -72,11 +72,10 @@ Dataset heads_of(Dataset data, Index samples) {
 /// Initial states of held-out records, and parameters that each record has for itself: those that
 /// meet the first samples best. Initial states that these do not determine are as in the records
 /// of the fit.
-/// @param local places of parameters that each record has for itself.
+/// @param unknowns with what is known of these numbers.
 FitPoint begun(const ParametrisedModel& model, const Matrix& parameters, const Dataset& data,
-               const Matrix& usual, Index window, std::vector<Index> local) {
+               const Matrix& usual, Index window, FitUnknowns unknowns) {
   FitEngine engine = fit_engine(model, fit_records(model, heads_of(data, window)));
-  FitUnknowns unknowns = fit_unknowns(model, std::move(local));
   unknowns.global.clear();
   FitPoint point{parameters, engine.records.starts};
   for (Index k = 0; k < engine.states(); ++k) {
@@ -98,12 +97,14 @@ struct HeldOut {
 };
 
 HeldOut held_out_with(const ParametrisedModel& model, const Vector& values, const Dataset& data,
-                      const Matrix& usual, const FitOptions& options,
-                      const std::vector<Index>& local) {
+                      const Matrix& usual, const FitOptions& options, FitUnknowns unknowns) {
+  for (const Index p : unknowns.varying)
+    unknowns.priors[static_cast<std::size_t>(p)]->value = values[p];
   FitEngine engine = fit_engine(model, fit_records(model, data));
   set_substeps(engine, 4);
   const Matrix parameters = values.transpose().replicate(engine.records.records(), 1);
-  const FitPoint point = begun(model, parameters, data, usual, options.window, local);
+  const FitPoint point =
+      begun(model, parameters, data, usual, options.window, std::move(unknowns));
   choose_method(engine, point);
   const FitPath path = follow(engine, point, {});
   HeldOut found{quality_of(engine, point, path, options.prediction, options.window)};
@@ -183,14 +184,14 @@ std::vector<FitQuality> quality_of(FitEngine& engine, const FitPoint& point,
 
 std::optional<FitGap> gap_of(const ParametrisedModel& model, const FitPoint& fitted,
                              const Dataset& held_out, const Matrix& usual,
-                             const FitOptions& options, const std::vector<Index>& local) {
+                             const FitOptions& options, const FitUnknowns& unknowns) {
   HeldOut after = held_out_with(model, fitted.parameters.colwise().mean().transpose(), held_out,
-                                usual, options, local);
+                                usual, options, unknowns);
   if (std::all_of(after.quality.begin(), after.quality.end(),
                   [](const FitQuality& quality) { return quality.samples == 0; }))
     return std::nullopt;
   FitGap gap{.before =
-                 held_out_with(model, model.values(), held_out, usual, options, local).size,
+                 held_out_with(model, model.values(), held_out, usual, options, unknowns).size,
              .after = after.size,
              .noise_floor = after.noise,
              .records = {},

@@ -20,11 +20,11 @@ std::vector<FitQuality> quality_of(FitEngine& engine, const FitPoint& point,
 
 /// Free runs of held-out records with the numbers as given and as fitted.
 /// @param usual mean and deviation of each state along the fitted paths, m x 2.
-/// @param local places of parameters that each record has for itself: those of a held-out record
-///   are fitted, as its initial states are, on its first FitOptions::window samples.
+/// @param unknowns local: those of a held-out record are fitted, as its initial states are, on
+///   its first FitOptions::window samples; those that vary about the numbers used.
 /// @return nothing where no sample is left behind those that give initial states.
 std::optional<FitGap> gap_of(const ParametrisedModel& model, const FitPoint& fitted,
                              const Dataset& held_out, const Matrix& usual,
-                             const FitOptions& options, const std::vector<Index>& local = {});
+                             const FitOptions& options, const FitUnknowns& unknowns);
 
 }  // namespace lacuna

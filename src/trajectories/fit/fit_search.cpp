@@ -22,24 +22,6 @@ double spread_of(const Vector& values) {
   return std::sqrt((values.array() - values.mean()).square().mean());
 }
 
-/// Steps so fine that halving them changes the residuals by little beside their deviations:
-/// `small` in all samples together. Implicit steps choose themselves.
-void choose_substeps(FitEngine& engine, const FitPoint& point, const Gains& gains,
-                     double small) {
-  if (engine.implicit) return;
-  Index substeps = engine.signals.scheme.substeps;
-  FitPath coarse = follow(engine, point, gains);
-  while (substeps < kMostSubsteps) {
-    set_substeps(engine, 2 * substeps);
-    FitPath fine = follow(engine, point, gains);
-    const Matrix change = whitened(engine, fine) - whitened(engine, coarse);
-    if (change.norm() < small) return set_substeps(engine, substeps);
-    substeps *= 2;
-    coarse = std::move(fine);
-  }
-  choose_method(engine, point);
-}
-
 /// Fits with filters of falling disturbance, then the free run.
 FitMinimum continued(FitEngine& engine, const FitUnknowns& unknowns, FitPoint point,
                      const FitSearchOptions& options, const RunContext& context) {
@@ -67,11 +49,7 @@ FitMinimum continued(FitEngine& engine, const FitUnknowns& unknowns, FitPoint po
 FitMinimum polished(FitEngine& engine, const FitUnknowns& unknowns, FitMinimum found,
                     const FitSearchOptions& options, const RunContext& context) {
   constexpr double kSmall = 0.2;
-  const Index before = engine.signals.scheme.substeps;
-  const bool was_implicit = engine.implicit.has_value();
-  choose_substeps(engine, found.point, {}, kSmall);
-  if (engine.signals.scheme.substeps == before && was_implicit == engine.implicit.has_value())
-    return found;
+  if (!choose_substeps(engine, found.point, {}, kSmall)) return found;
   return minimise(engine, unknowns, found.point, {}, options.most_iterations, context);
 }
 
@@ -189,6 +167,27 @@ bool changed_a_sign(const FitPoint& a, const FitPoint& b) {
 }
 
 }  // namespace
+
+bool choose_substeps(FitEngine& engine, const FitPoint& point, const Gains& gains,
+                     double small) {
+  if (engine.implicit) return false;
+  const Index before = engine.signals.scheme.substeps;
+  Index substeps = before;
+  FitPath coarse = follow(engine, point, gains);
+  while (substeps < kMostSubsteps) {
+    set_substeps(engine, 2 * substeps);
+    FitPath fine = follow(engine, point, gains);
+    const Matrix change = whitened(engine, fine) - whitened(engine, coarse);
+    if (change.norm() < small) {
+      set_substeps(engine, substeps);
+      return substeps != before;
+    }
+    substeps *= 2;
+    coarse = std::move(fine);
+  }
+  choose_method(engine, point);
+  return substeps != before || engine.implicit.has_value();
+}
 
 Vector residual_rms(const FitEngine& engine, const FitUnknowns& unknowns, const FitPath& path) {
   const double all = engine.records.valid.sum();

@@ -37,6 +37,12 @@ struct FitSearchOptions {
 FitSearch search_fit(FitEngine& engine, const FitUnknowns& unknowns, const FitPoint& start,
                      const FitSearchOptions& options, const RunContext& context);
 
+/// Steps so fine that halving them changes the residuals by little beside their deviations:
+/// `small` in all samples together. Implicit steps choose themselves.
+/// @return whether steps are others than before.
+bool choose_substeps(FitEngine& engine, const FitPoint& point, const Gains& gains,
+                     double small);
+
 /// Root mean square of the residuals of each channel, with degrees of freedom taken evenly.
 Vector residual_rms(const FitEngine& engine, const FitUnknowns& unknowns, const FitPath& path);
 

@@ -39,13 +39,6 @@ void add_initial(const FitUnknowns& unknowns, const Vector& start, RowFold& fold
   }
 }
 
-/// How many deviations a parameter is above what is known of it; not finite where the logarithm
-/// is known and it is not above 0.
-double prior_deviations(const Prior& prior, double value) {
-  if (!prior.logarithmic) return (value - prior.value) / prior.tolerance;
-  return value > 0.0 ? std::log(value / prior.value) / prior.tolerance : kInfinity;
-}
-
 /// What is known of some parameters, as rows behind a first column.
 void add_priors(const FitUnknowns& unknowns, const std::vector<Index>& parameters,
                 const FitPoint& point, Index record, Index first, RowFold& fold) {
@@ -128,6 +121,11 @@ void add_gradients(const Matrix& rows, const Vector& residual, const Matrix& eli
 
 }  // namespace
 
+double prior_deviations(const Prior& prior, double value) {
+  if (!prior.logarithmic) return (value - prior.value) / prior.tolerance;
+  return value > 0.0 ? std::log(value / prior.value) / prior.tolerance : kInfinity;
+}
+
 std::vector<Index> column_order(const FitEngine& engine, const FitUnknowns& unknowns) {
   std::vector<Index> order;
   for (Index k = 0; k < engine.states(); ++k) order.push_back(k);
@@ -137,7 +135,8 @@ std::vector<Index> column_order(const FitEngine& engine, const FitUnknowns& unkn
 }
 
 FitUnknowns fit_unknowns(const ParametrisedModel& model, std::vector<Index> local) {
-  FitUnknowns unknowns{std::move(local), {}, model.symbolic().initial(), model.priors(), {}, {}};
+  FitUnknowns unknowns{
+      std::move(local), {}, model.symbolic().initial(), model.priors(), {}, {}, {}};
   unknowns.lower = Vector::Constant(model.size(), -kInfinity);
   unknowns.upper = Vector::Constant(model.size(), kInfinity);
   for (Index p = 0; p < model.size(); ++p)

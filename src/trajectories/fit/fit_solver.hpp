@@ -16,6 +16,8 @@ struct FitUnknowns {
   std::vector<std::optional<InitialValue>> initial;  ///< m
   std::vector<std::optional<Prior>> priors;          ///< P
   Vector lower, upper;                               ///< P, infinite where there is none
+  /// Those of the local ones that vary about a typical value by a known spread: their priors.
+  std::vector<Index> varying = {};
 };
 
 FitUnknowns fit_unknowns(const ParametrisedModel& model, std::vector<Index> local);
@@ -46,6 +48,10 @@ struct FitMinimum {
   bool converged = false;
   int iterations = 0;
 };
+
+/// How many deviations a parameter is above what is known of it; not finite where the logarithm
+/// is known and it is not above 0.
+double prior_deviations(const Prior& prior, double value);
 
 /// Cost of a path with what is known of the initial states and the parameters.
 double total_cost(const FitUnknowns& unknowns, const FitPoint& point, const FitPath& path);

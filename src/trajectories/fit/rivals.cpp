@@ -13,8 +13,21 @@
 namespace lacuna {
 namespace {
 
+/// Log-likelihood of each record: that of the population where there is one.
+Vector by_records(const Fit& fit) {
+  Vector all = Vector::Zero(static_cast<Index>(fit.runs.size()));
+  for (std::size_t r = 0; r < fit.runs.size(); ++r) {
+    double& sum = all[static_cast<Index>(r)];
+    if (fit.population) sum = fit.population->log_likelihood[r];
+    else
+      for (const double value : fit.runs[r].log_likelihood.reshaped())
+        if (std::isfinite(value)) sum += value;
+  }
+  return all;
+}
+
 /// Log-likelihood of each value, channel by channel, records one behind the other.
-Vector log_likelihoods(const Fit& fit) {
+Vector by_values(const Fit& fit) {
   std::vector<double> all;
   for (Index c = 0; c < static_cast<Index>(fit.quality.size()); ++c)
     for (const FitRun& run : fit.runs)
@@ -23,12 +36,14 @@ Vector log_likelihoods(const Fit& fit) {
   return Eigen::Map<const Vector>(all.data(), static_cast<Index>(all.size()));
 }
 
-/// Deviation of a sum of values that are correlated with their neighbours: Newey and West, over
-/// the cube root of n neighbours.
-double deviation_of_sum(const Vector& values) {
-  const auto n = static_cast<double>(values.size());
+/// Neighbours with which values may be correlated: the cube root of n; records are independent.
+Index lags_of(const Vector& values, bool are_records) {
+  return are_records ? 0 : static_cast<Index>(std::cbrt(static_cast<double>(values.size())));
+}
+
+/// Deviation of a sum of values that are correlated with neighbours: Newey and West.
+double deviation_of_sum(const Vector& values, Index lags) {
   const Vector centred = values.array() - values.mean();
-  const auto lags = static_cast<Index>(std::cbrt(n));
   double variance = centred.squaredNorm();
   for (Index lag = 1; lag <= lags; ++lag) {
     const double weight = 1.0 - static_cast<double>(lag) / static_cast<double>(lags + 1);
@@ -38,9 +53,8 @@ double deviation_of_sum(const Vector& values) {
   return std::sqrt(std::max(variance, 0.0));
 }
 
-FitRival rival_of(const NamedFit& named, const Vector& each) {
+FitRival rival_of(const NamedFit& named, const Vector& each, double n) {
   const Fit& fit = named.fit;
-  const auto n = static_cast<double>(each.size());
   FitRival rival{.name = named.name};
   rival.unknowns = n - fit.degrees_of_freedom;
   for (const FitQuality& quality : fit.quality)
@@ -67,11 +81,11 @@ void check_alike(const NamedFit& first, const NamedFit& other) {
 }
 
 /// Sets how far a rival is behind the best.
-void set_behind(const FitRival& best, const Vector& of_best, const Vector& own,
+void set_behind(const FitRival& best, const Vector& of_best, const Vector& own, Index lags,
                 FitRival& rival) {
   constexpr double kSupported = 2.0;  // a difference in AICc that leaves a model well supported
   const Vector difference = of_best - own;
-  const double deviation = deviation_of_sum(difference);
+  const double deviation = deviation_of_sum(difference, lags);
   rival.behind = deviation > 0.0 ? difference.sum() / deviation : 0.0;
   rival.is_tied =
       rival.aicc - best.aicc <= kSupported || rival.behind < kNormalQuantile975;
@@ -81,22 +95,27 @@ void set_behind(const FitRival& best, const Vector& of_best, const Vector& own,
 
 RivalComparison compare_fits(const std::vector<NamedFit>& fits) {
   check_argument(!fits.empty(), "compare_fits", "there is no fit");
+  const bool are_records = std::any_of(fits.begin(), fits.end(), [](const NamedFit& one) {
+    return one.fit.population.has_value();
+  });
+  const auto values = static_cast<double>(by_values(fits.front().fit).size());
   std::vector<Vector> each;
   std::vector<FitRival> rivals;
   for (const NamedFit& named : fits) {
     check_alike(fits.front(), named);
-    each.push_back(log_likelihoods(named.fit));
-    rivals.push_back(rival_of(named, each.back()));
+    each.push_back(are_records ? by_records(named.fit) : by_values(named.fit));
+    rivals.push_back(rival_of(named, each.back(), values));
   }
+  const Index lags = lags_of(each.front(), are_records);
   const auto best = static_cast<std::size_t>(
       std::min_element(rivals.begin(), rivals.end(),
                        [](const FitRival& a, const FitRival& b) { return a.aicc < b.aicc; }) -
       rivals.begin());
   for (std::size_t i = 0; i < rivals.size(); ++i)
-    if (i != best) set_behind(rivals[best], each[best], each[i], rivals[i]);
+    if (i != best) set_behind(rivals[best], each[best], each[i], lags, rivals[i]);
   std::stable_sort(rivals.begin(), rivals.end(),
                    [](const FitRival& a, const FitRival& b) { return a.aicc < b.aicc; });
-  return {std::move(rivals), static_cast<double>(each.front().size())};
+  return {std::move(rivals), values};
 }
 
 }  // namespace lacuna

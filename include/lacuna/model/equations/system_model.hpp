@@ -12,6 +12,12 @@
 
 namespace lacuna {
 
+/// How far a parameter differs from record to record (individuals of a population).
+struct ParameterSpread {
+  double size = 0.0;       ///< standard deviation over the records, > 0; or a factor, > 1
+  bool by_factor = false;  ///< the logarithm is normal with the deviation log(size)
+};
+
 /// A number with a name, which may stand anywhere in terms and outputs.
 struct Parameter {
   std::string name;
@@ -26,6 +32,8 @@ struct Parameter {
   /// The same of a positive value by a factor, > 1: its logarithm is normal with the deviation
   /// log(factor).
   std::optional<double> factor = {};
+  /// Its value is that of a typical record; that of each record differs by a random amount.
+  std::optional<ParameterSpread> varies = {};
   std::optional<double> standard_error = {};
   std::optional<std::array<double, 2>> ci95 = {};
 };

@@ -39,6 +39,19 @@ struct FitOptions {
   KnownNoise noise = {};  ///< of each column of the records; nothing: analyse_noise() finds it
 };
 
+/// The spread of a number over the records (individuals): a standard deviation, of the logarithm
+/// where it varies by a factor.
+struct FittedSpread {
+  bool by_factor = false;
+  double start = 0.0;  ///< as given
+  double value = 0.0;  ///< the estimate; 0 where the records show none
+  std::optional<double> standard_error = {};
+  std::optional<std::array<double, 2>> ci95 = {};  ///< nothing where the records show none
+  std::optional<double> at_most = {};  ///< upper 97.5 % limit where the records show none
+  /// 1 - deviation of the individual values / spread: near 1 little is known of each.
+  double shrinkage = 0.0;
+};
+
 /// A number that was fitted.
 struct FittedParameter {
   std::string name;       ///< "w: sin(th)" or the name of a parameter
@@ -52,6 +65,9 @@ struct FittedParameter {
   std::optional<std::string> bound = {};           ///< "min" or "max" where it ended there
   std::vector<double> per_record = {};             ///< where each record has its own
   std::vector<double> per_record_errors = {};      ///< standard errors; NaN: not determined
+  /// Where it varies over the records; `value` is that of a typical record then, `per_record`
+  /// has the most probable values of each.
+  std::optional<FittedSpread> spread = {};
 };
 
 /// Two numbers whose estimates depend on one another.
@@ -118,6 +134,16 @@ struct FitRun {
   Matrix log_likelihood = {};  ///< n x channels; NaN where there is no value
 };
 
+/// What the likelihood is where parameters vary over records: that of the population, the
+/// individual values integrated out.
+struct FitPopulation {
+  std::vector<double> log_likelihood;  ///< of each record
+  std::vector<double> deviations;      ///< of each channel's noise; NaN where it has a law
+  double unknowns = 0.0;  ///< numbers, spreads, sizes of noise, free initial values
+  double aicc = 0.0;      ///< Hurvich and Tsai, Biometrika 76:297-307 (1989)
+  double bic = 0.0;       ///< Schwarz, Annals of Statistics 6:461-464 (1978)
+};
+
 /// A model fitted to records.
 struct Fit {
   SystemModel model;  ///< with estimates and their intervals
@@ -136,10 +162,12 @@ struct Fit {
   Index substeps = 1;
   Index prediction = 10;  ///< samples ahead of FitQuality::prediction
   double degrees_of_freedom = 0.0;
-  double log_likelihood = 0.0;  ///< of all values, with the estimated sizes of the noise
+  /// Of all values, with the estimated sizes of the noise; of the population where there is one.
+  double log_likelihood = 0.0;
   std::vector<StageDone> stages = {};  ///< "fit", "starts", "profiles"
   std::vector<std::string> notes = {};
   std::vector<FitRun> runs = {};  ///< one for each record
+  std::optional<FitPopulation> population = {};  ///< where parameters vary over records
 };
 
 /// What a fit may be relied on for; headline and verdict are made of it.

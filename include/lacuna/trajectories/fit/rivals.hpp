@@ -39,9 +39,10 @@ struct RivalComparison {
 /// Compares structures by the likelihood. With l_i the log-likelihood of a value, Vuong's
 /// statistic is the sum of d = l_1 - l_2 over its deviation (Vuong, Econometrica 57:307-333,
 /// 1989; that of Newey and West, Econometrica 55:703-708, 1987, because residuals of wrong
-/// structures are correlated). Unknowns count in AICc, by which structures are sorted: one with
-/// a term more that the records do not need has the same likelihood, and is tied. A rival is
-/// tied with the best where AICc differs by no more than 2 (Burnham and Anderson, Model
+/// structures are correlated). Where parameters of one vary over records, l_i is that of a record
+/// instead, and records are independent. Unknowns count in AICc, by which structures are sorted:
+/// one with a term more that the records do not need has the same likelihood, and is tied. A
+/// rival is tied with the best where AICc differs by no more than 2 (Burnham and Anderson, Model
 /// Selection and Multimodel Inference (2002), Sect. 2.6), or Vuong's statistic is below 1.96.
 /// @throws ArgumentError for none; DataError where two have not the same values to meet.
 RivalComparison compare_fits(const std::vector<NamedFit>& fits);

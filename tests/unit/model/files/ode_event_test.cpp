@@ -18,6 +18,8 @@ state gut
 state x
 param ka = 1.1 */ 1.5
 param k = 0.2 +- 0.05
+param V = 5 +- 1 varies */ 1.5 [L] in 0..
+param s = 0.5 varies +- 0.1
 param D = 100 fixed
 dgut/dt = -gut*ka
 dx/dt = gut*ka - x*k + u
@@ -109,6 +111,36 @@ TEST(OdeEvent, ErrorsHavePlaces) {
   expect_error("y = x noise both 1", "m.ode:3", "both sizes");
   expect_error("param k = 1 */ 0.5", "m.ode:3", "not above 1");
   expect_error("param k = -1 */ 2", "m.ode:3", "not above 0");
+  expect_error("param k = 1 varies 2", "m.ode:3:20", "no spread behind 'varies'");
+  expect_error("param k = 1 varies */ 1", "m.ode:3", "factor by which it varies is not above 1");
+  expect_error("param k = 1 varies +- 0", "m.ode:3", "by which it varies is not above 0");
+  expect_error("param k = -1 varies */ 2", "m.ode:3", "not above 0, but it varies by a factor");
+  expect_error("param k = 1 varies */ 2 fixed", "m.ode:3", "what is fixed does not vary");
+  expect_error("param k = 1 varies */ 2 per_record", "m.ode:3", "varies and is per_record");
+}
+
+TEST(OdeEvent, ASpreadMayStandBehindTheUnit) {
+  const SystemModel system =
+      parse_ode_system("param k = 2 [1/h] varies */ 1.5 in 0..\ndx/dt = -k*x", "m.ode");
+  ASSERT_TRUE(system.parameters()[0].varies);
+  EXPECT_TRUE(system.parameters()[0].varies->by_factor);
+  EXPECT_EQ(system.parameters()[0].varies->size, 1.5);
+  EXPECT_EQ(format_ode(system),
+            "time s\nstate x\nparam k = 2 varies */ 1.5 [1/h] in 0..\ndx/dt = -x*k\n");
+}
+
+TEST(OdeEvent, ASpreadInJsonIsADeviationOrAFactor) {
+  for (const std::string spread : {"{}", "{\"factor\": 2, \"deviation\": 1}"})
+    try {
+      parse_system("{\"format\": \"lacuna.model/1\", \"states\": [{\"name\": \"x\"}], "
+                   "\"equations\": [{\"state\": \"x\", \"terms\": []}], \"parameters\": "
+                   "[{\"name\": \"k\", \"value\": 1, \"varies\": " + spread + "}]}",
+                   "m.json");
+      ADD_FAILURE() << spread;
+    } catch (const Error& error) {
+      EXPECT_NE(error.problem().find("neither a deviation nor a factor"), std::string::npos)
+          << error.problem();
+    }
 }
 
 TEST(OdeEvent, WordsMayBeNames) {

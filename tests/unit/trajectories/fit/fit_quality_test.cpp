@@ -71,14 +71,16 @@ TEST(GapOf, ComparesTheNumbersAsGivenAndAsFitted) {
   const ParametrisedModel wrong =
       walk.system.parametrised().with_values((Vector(2) << -0.9, 0.7).finished());
   const Matrix usual = (Matrix(1, 2) << 1.0, 0.5).finished();
-  const auto gap = gap_of(wrong, walk.point, other, usual, {});
+  const auto gap = gap_of(wrong, walk.point, other, usual, {}, fit_unknowns(wrong, {}));
   ASSERT_TRUE(gap);
   EXPECT_GT(gap->before, 10.0 * gap->after);
   EXPECT_NEAR(gap->after, 0.02, 0.004);
   EXPECT_NEAR(gap->noise_floor, 0.02, 0.004);
   ASSERT_EQ(gap->records.size(), 1u);
   const Index all = other.samples();
-  EXPECT_FALSE(gap_of(wrong, walk.point, other, usual, {.window = all})) << "nothing is left";
+  EXPECT_FALSE(
+      gap_of(wrong, walk.point, other, usual, {.window = all}, fit_unknowns(wrong, {})))
+      << "nothing is left";
 }
 
 /// dx/dt = -0.5 x + 0.7 u, where the gain of u is each record's own.
@@ -90,8 +92,8 @@ TEST(GapOf, FitsWhatEachRecordHasForItselfOnItsFirstSamples) {
   elsewhere.parameters(0, 1) += 0.5;
   const ParametrisedModel model = walk.system.parametrised();
   const Matrix usual = (Matrix(1, 2) << 1.0, 0.5).finished();
-  const auto common = gap_of(model, elsewhere, other, usual, {});
-  const auto own = gap_of(model, elsewhere, other, usual, {}, {1});
+  const auto common = gap_of(model, elsewhere, other, usual, {}, fit_unknowns(model, {}));
+  const auto own = gap_of(model, elsewhere, other, usual, {}, fit_unknowns(model, {1}));
   ASSERT_TRUE(common && own);
   EXPECT_GT(common->after, 0.1);
   EXPECT_NEAR(own->after, 0.02, 0.006);

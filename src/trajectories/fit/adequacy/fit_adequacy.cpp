@@ -36,6 +36,19 @@ void drop_known(const FitUnknowns& unknowns, Eigen::Ref<Matrix> rows) {
   }
 }
 
+/// Takes out the own parameters of a record that are known better than it shows them.
+void drop_known_own(const FitUnknowns& unknowns, const FitPoint& point, Index record,
+                    Index first, Eigen::Ref<Matrix> rows) {
+  for (std::size_t i = 0; i < unknowns.local.size(); ++i) {
+    const auto& prior = unknowns.priors[static_cast<std::size_t>(unknowns.local[i])];
+    if (!prior) continue;
+    auto column = rows.col(first + static_cast<Index>(i));
+    const double scale =
+        prior->logarithmic ? point.parameters(record, unknowns.local[i]) : 1.0;
+    if (column.norm() * prior->tolerance * scale < 1.0) column.setZero();
+  }
+}
+
 /// Takes out the parameters of which more was known before than all records show.
 void drop_known_parameters(const FitUnknowns& unknowns, const FitPoint& point, Matrix& rows) {
   const auto first = rows.cols() - static_cast<Index>(unknowns.global.size());
@@ -75,7 +88,9 @@ void add_record(FitEngine& engine, const FitUnknowns& unknowns, const FitMinimum
     }
   };
   sensitivities(engine, minimum.point, minimum.path, {}, record, visit, Whitening::Pearson);
-  drop_known(unknowns, all.rows.middleRows(all.begins.back(), row - all.begins.back()));
+  const auto own = all.rows.middleRows(all.begins.back(), row - all.begins.back());
+  drop_known(unknowns, own);
+  drop_known_own(unknowns, minimum.point, record, engine.states(), own);
   all.begins.push_back(row);
   for (ResidualSequence& sequence : sequences)
     all.residuals.sequences.push_back(std::move(sequence));

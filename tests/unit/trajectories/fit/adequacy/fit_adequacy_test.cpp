@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "trajectories/fit/fit_adequacy.hpp"
+#include "trajectories/fit/adequacy/fit_adequacy.hpp"
 
 #include <gtest/gtest.h>
 

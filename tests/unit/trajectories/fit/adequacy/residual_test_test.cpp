@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "trajectories/fit/residual_test.hpp"
+#include "trajectories/fit/adequacy/residual_test.hpp"
 
 #include <gtest/gtest.h>
 

@@ -2,9 +2,9 @@
 // Whether what a fit leaves of the records is noise.
 #pragma once
 
-#include "fit_solver.hpp"
 #include "lacuna/trajectories/fit/fit.hpp"
 #include "residual_test.hpp"
+#include "trajectories/fit/fit_solver.hpp"
 
 namespace lacuna {
 
