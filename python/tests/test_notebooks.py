@@ -34,7 +34,7 @@ def python_of(page: Path) -> list[str]:
     return re.findall(r"^```python\n(.*?)^```", page.read_text(), re.DOTALL | re.MULTILINE)
 
 
-FOLDERS = ["docs", "site", "examples", "effects", "bases", "solvers", "data", "python", "benchmarks"]
+FOLDERS = ["docs", "site", "examples", "effects", "bases", "solvers", "data", "python"]
 PAGES = [ROOT / "README.md", *(page for name in FOLDERS for page in (ROOT / name).rglob("*.md"))]
 WITH_PYTHON = sorted(page.relative_to(ROOT).as_posix() for page in PAGES if python_of(page))
 
