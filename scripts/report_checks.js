@@ -1,5 +1,6 @@
 // What a browser finds in pages: one line for each fault, status 1 where there is one.
-// Usage: node report_checks.js PAGE.html...   (axe-core and puppeteer-core in NODE_PATH)
+// Usage: node report_checks.js PAGE.html...   (axe-core and puppeteer-core in NODE_PATH; beside a
+// page its answer, PAGE.json; pictures go to PAGE_WIDTH.png where SCREENSHOTS is set)
 'use strict';
 const fs = require('fs');
 const path = require('path');
@@ -91,7 +92,28 @@ async function keyboard(page) {
     const curve = key.closest('svg').querySelector(`path[data-series="${key.dataset.series}"]`);
     return curve.style.display === 'none';
   });
-  return hidden ? faults : [...faults, 'Enter on a name hides no curve'];
+  if (!hidden) faults.push('Enter on a name hides no curve');
+  const seen_now = () => page.evaluate(() => {
+    const orbit = document.querySelector('svg.orbit');
+    if (orbit) orbit.focus();
+    return orbit && orbit.querySelector('path[data-points]').getAttribute('d');
+  });
+  for (const arrow of ['ArrowRight', 'ArrowUp']) {
+    const before = await seen_now();
+    await page.keyboard.press(arrow);
+    if (before && before === await seen_now()) faults.push(`${arrow} does not turn the orbit`);
+  }
+  return faults;
+}
+
+/** Whether pictures that show the same thing agree; says how much was compared. */
+async function panels(page, file) {
+  const answer = JSON.parse(fs.readFileSync(file.replace(/html$/, 'json'), 'utf8'));
+  await page.evaluate(fs.readFileSync(path.join(__dirname, 'report_panels.js'), 'utf8') +
+                      ';window.comparePanels = comparePanels;');
+  const found = await page.evaluate(one => window.comparePanels(one), answer);
+  console.log(`${path.basename(file)}: ${found.compared} values of its pictures compared`);
+  return found.faults;
 }
 
 (async () => {
@@ -105,8 +127,11 @@ async function keyboard(page) {
         await page.setViewport({width, height: 900});
         await page.emulateMediaFeatures([{name: 'prefers-color-scheme', value: scheme}]);
         await page.goto('file://' + path.resolve(file));
+        if (process.env.SCREENSHOTS && scheme === 'light')
+          await page.screenshot({path: file.replace(/\.html$/, `_${width}.png`), fullPage: true});
         const faults = [...await page.evaluate(seen), ...await violations(page)];
-        if (width === 1400 && scheme === 'light') faults.push(...await keyboard(page));
+        if (width === 1400 && scheme === 'light')
+          faults.push(...await panels(page, file), ...await keyboard(page));
         for (const fault of faults)
           console.log(`${path.basename(file)}, ${width} px, ${scheme}: ${fault}`);
         count += faults.length;

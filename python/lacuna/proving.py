@@ -75,7 +75,7 @@ def simulate(
     t: Any = None,
     *,
     t_start: float | None = None,
-    t_end: float = 0.0,
+    t_end: float | None = None,
     dt: float | None = None,
     inputs: Any = None,
     noise: Mapping[str, float] | None = None,
@@ -95,8 +95,9 @@ def simulate(
     t : array of shape (n,), optional
         Times of the output, in the model's unit; in place of ``t_start``, ``t_end``, ``dt``.
     t_start, t_end, dt : float, optional
-        First and last time and step of the output; the first is that of the model's initial
-        values, or 0, unless given.
+        First and last time and step of the output. Unless given the first is that of the
+        model's initial values, else that of the inputs, else 0; the others are those of the
+        inputs.
     inputs : Records, path or frame, optional
         A record with a column for each input of the model.
     noise : dict, optional
@@ -125,7 +126,7 @@ def simulate(
         **({} if inputs is None else input_arguments(inputs)),
         "x0": "" if x0 is None else ",".join(repr(float(value)) for value in x0),
         "t_start": None if t_start is None else float(t_start),
-        "t_end": float(t_end),
+        "t_end": None if t_end is None else float(t_end),
         "dt": dt,
         "times": None if t is None else [float(time) for time in t],
         "noise": [f"{name}={float(sd)!r}" for name, sd in (noise or {}).items()],

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import re
-import textwrap
 from pathlib import Path
 
 import nbformat
@@ -30,22 +29,26 @@ def test_committed_outputs_are_small() -> None:
         assert path.stat().st_size < 60_000, path
 
 
-def python_of(page: str) -> list[str]:
-    """Blocks of Python in a page: fenced ones, and the indented one that imports lacuna."""
-    text = (ROOT / page).read_text()
-    fenced = re.findall(r"```python\n(.*?)```", text, re.DOTALL)
-    indented = re.findall(r"((?:^    .*\n)*^    import lacuna\n(?:^    .*\n)*)", text, re.MULTILINE)
-    return [*fenced, *map(textwrap.dedent, indented)]
+def python_of(page: Path) -> list[str]:
+    """Blocks of Python in a page."""
+    return re.findall(r"^```python\n(.*?)^```", page.read_text(), re.DOTALL | re.MULTILINE)
+
+
+FOLDERS = ["docs", "site", "examples", "effects", "bases", "solvers", "data", "python"]
+PAGES = [ROOT / "README.md", *(page for name in FOLDERS for page in (ROOT / name).rglob("*.md"))]
+WITH_PYTHON = sorted(page.relative_to(ROOT).as_posix() for page in PAGES if python_of(page))
+
+
+def test_pages_have_python() -> None:
+    assert len(WITH_PYTHON) >= 4
 
 
 @pytest.mark.filterwarnings("ignore::lacuna.LacunaWarning")
-@pytest.mark.parametrize("page", ["README.md", "python/README.md", "docs/from-pysindy.md"])
+@pytest.mark.parametrize("page", WITH_PYTHON)
 def test_the_python_of_a_page_runs(
     page: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     (tmp_path / "data").symlink_to(ROOT / "data")
     monkeypatch.chdir(tmp_path)
-    blocks = python_of(page)
-    assert blocks
-    for block in blocks:
+    for block in python_of(ROOT / page):
         exec(compile(block, page, "exec"), {})

@@ -15,13 +15,18 @@
 
 namespace lacuna::testing {
 
+/// What system() returns as a shell has it: 128 and more for a signal.
+inline int exit_status(int status) {
+  return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+}
+
 /// Runs `lacuna` with arguments as a shell reads them; `before` stands in front ("timeout 5").
 inline CommandResult run_program(const std::string& arguments, const std::string& before = "") {
   const TemporaryFolder folder;
   const std::string command = before + " '" + LACUNA_COMMAND + "' " + arguments + " > '" +
                               folder.file("out") + "' 2> '" + folder.file("err") + "'";
   const int status = std::system(command.c_str());
-  return {WEXITSTATUS(status), folder.read("out"), folder.read("err")};
+  return {exit_status(status), folder.read("out"), folder.read("err")};
 }
 
 /// Expects an error of one line that has all the given parts.

@@ -126,9 +126,9 @@ struct SimulateRequest {
   ModelSource model = {};
   DataOptions data = {};  ///< holds and names
   std::string x0 = {};
-  std::optional<double> t_start = {};  // nothing: where the model starts, or 0
-  double t_end = 0.0;
-  std::optional<double> step = {};
+  std::optional<double> t_start = {};  // nothing: where the model or the inputs start, or 0
+  std::optional<double> t_end = {};    // nothing: where the inputs end
+  std::optional<double> step = {};     // nothing: the times of the inputs
   std::optional<Vector> times = {};  ///< in place of start, end and step
   RecordSources inputs = {};         ///< one
   std::optional<std::string> input_time = {};
@@ -137,7 +137,7 @@ struct SimulateRequest {
 };
 
 struct SimulateAnswer {
-  Dataset data;  ///< states and, behind them, the outputs that are called otherwise
+  Dataset data;  ///< states and, behind them, the outputs that are called otherwise; inputs
   std::vector<std::string> notes = {};  ///< where it goes beyond what is known of inputs
   std::string problem = {};             ///< why there is no orbit; empty: there is
 };

@@ -16,8 +16,10 @@
 #include "cli/terminal/memory_limit.hpp"
 #include "cli/terminal/progress_line.hpp"
 #include "cli/terminal/progress_log.hpp"
+#include "core/base/text.hpp"
 #include "core/base/utf8.hpp"
 #include "core/files/atomic_file.hpp"
+#include "core/files/near_file.hpp"
 #include "lacuna/data/formats/read.hpp"
 #include "lacuna/dynamics/test_systems/test_systems.hpp"
 #include "lacuna/model/files/model_file.hpp"
@@ -217,9 +219,16 @@ OdeModel load_flow(const ModelSource& source, const std::string& command) {
 SystemModel load_system(const ModelSource& source) {
   if (source.given) return *source.given;
   std::error_code unreadable;
-  if (!fs::exists(source.path, unreadable))
-    for (const TestSystem& system : test_systems())
-      if (system.name == source.path) return system.model;
+  if (fs::exists(source.path, unreadable)) return read_system(source.path);
+  std::vector<std::string> known;
+  for (const TestSystem& system : test_systems()) {
+    if (system.name == source.path) return system.model;
+    known.push_back(system.name);
+  }
+  const auto near = nearest_name(source.path, known);
+  if (near && remedy_of_missing(source.path, "").empty())
+    throw FileError(source.path, "there is no such model file or test system",
+                    "did you mean the test system '" + *near + "'?");
   return read_system(source.path);
 }
 

@@ -58,14 +58,38 @@ Vector initial_values(const OdeModel& model) {
   return start;
 }
 
-/// @param usual step and begin where none is given.
-Vector parse_times(const SimulateRequest& options, double usual, double begin) {
+/// From `first` on the times of a record, up to `last`.
+Vector times_within(const Vector& record, double first, double last) {
+  const auto begin = std::upper_bound(record.begin(), record.end(), first);
+  const auto count = std::upper_bound(begin, record.end(), last) - begin;
+  Vector times(count + 1);
+  times << first, record.segment(begin - record.begin(), count);
+  return times;
+}
+
+[[noreturn]] void refuse_without(const std::string& option) {
+  throw ConfigError(option, "nothing says it where no record of inputs is given",
+                    "give " + option + " with a number");
+}
+
+/// When the output is wanted. What is not given is taken from the initial values, which hold at
+/// `begin`, and the times of the input record.
+/// @param known times of the input record; null where there is none.
+Vector parse_times(const SimulateRequest& options, bool is_map, std::optional<double> begin,
+                   const Vector* known) {
+  constexpr double kStepOfMaps = 1.0;  // by definition
   if (options.times) return *options.times;
-  const double step = options.step.value_or(usual);
-  const double first = options.t_start.value_or(begin), span = options.t_end - first;
+  if (!options.t_end && known == nullptr) refuse_without("--t-end");
+  const double start = begin ? *begin : known != nullptr ? (*known)[0] : 0.0;
+  const double first = options.t_start.value_or(start);
+  const double last = options.t_end ? *options.t_end : (*known)[known->size() - 1];
+  const bool own_step = options.step || is_map;
+  if (!own_step && known == nullptr) refuse_without("--dt");
+  const double step = options.step.value_or(kStepOfMaps), span = last - first;
   if (!(step > 0.0) || !(span > 0.0) || !std::isfinite(span / step))
     throw ConfigError("--dt, --t-end", "the step and the duration must be above 0",
                       "give --t-end later than --t-start and --dt above 0");
+  if (!own_step) return times_within(*known, first, last);
   if (span / step > 1e9)
     throw ConfigError("--dt, --t-end", "this asks for more than 1e9 samples",
                       "take a longer --dt or an earlier --t-end");
@@ -137,43 +161,45 @@ Run without_first_row(Run run) {
   return run;
 }
 
+/// @param record of the inputs; null for a model without.
 Run run_from(const Vector& start, const Vector& times, const OdeModel& model,
-             const Integrator& integrator, const SimulateRequest& options,
-             const RunContext& context) {
-  if (model.inputs().empty())
+             const Integrator& integrator, const Dataset* record, const RunContext& context) {
+  if (record == nullptr)
     return {simulate(model, integrator, start, times, context), Matrix(times.size(), 0)};
-  const Dataset record = input_records(model, options);
-  const OdeModel driven = with_shown_holds(model, record);
-  RecordInput inputs(record.trajectories.front(), driven.inputs());
+  const OdeModel driven = with_shown_holds(model, *record);
+  RecordInput inputs(record->trajectories.front(), driven.inputs());
   Solution orbit =
       simulate(DrivenModel{driven, inputs, inputs.breaks()}, integrator, start, times, context);
   return {std::move(orbit), inputs_at(times, inputs, static_cast<Index>(model.inputs().size())),
-          notes_beyond(times, record)};
+          notes_beyond(times, *record)};
 }
 
 Run run(const OdeModel& model, const Integrator& integrator, const SimulateRequest& options,
         const RunContext& context) {
-  constexpr double kStepOfMaps = 1.0, kNone = 0.0;  // by definition; to be given
   const bool own = options.x0.empty();
   const Vector start = own ? initial_values(model) : parse_start(model, options.x0);
   const std::optional<double> begin = own ? model.initial_time() : std::nullopt;
-  const Vector times =
-      parse_times(options, model.is_map() ? kStepOfMaps : kNone, begin.value_or(0.0));
+  std::optional<Dataset> record;
+  if (!model.inputs().empty()) record = input_records(model, options);
+  const Dataset* inputs = record ? &*record : nullptr;
+  const Vector times = parse_times(options, model.is_map(), begin,
+                                   record ? &record->trajectories.front().time : nullptr);
   if (!begin || times[0] == *begin)
-    return run_from(start, times, model, integrator, options, context);
+    return run_from(start, times, model, integrator, inputs, context);
   return without_first_row(run_from(start, from_initial_time(*begin, times), model, integrator,
-                                    options, context));
+                                    inputs, context));
 }
 
-/// States and, behind them, the outputs that are called otherwise.
+/// States and, behind them, the outputs that are called otherwise; inputs.
 Dataset as_dataset(const OdeModel& model, Run run) {
   Solution& orbit = run.orbit;
   Dataset data;
   data.time_unit = model.time_unit();
   data.states = model.states();
+  data.inputs = model.inputs();
   Trajectory trajectory;
   trajectory.source = "simulation";
-  trajectory.inputs = Matrix(orbit.time.size(), 0);
+  trajectory.inputs = run.inputs;
   const Matrix outputs = output_values(model, orbit.time, orbit.states, run.inputs);
   trajectory.time = std::move(orbit.time);
   trajectory.states = std::move(orbit.states);
@@ -260,19 +286,22 @@ void declare_options(CLI::App& app, SimulateArguments& options) {
                  "Start: one number per state, in the order of the model; else its `initial`")
       ->type_name("v1,v2,...");
   app.add_option("--t-start", options.t_start,
-                 "First time, in the model's time unit; else that of the initial values, or 0")
+                 "First time, in the model's time unit; else that of the initial values, that of "
+                 "the input record, or 0")
       ->capture_default_str();
-  app.add_option("--t-end", options.t_end, "Last time, in the model's time unit")->required();
+  app.add_option("--t-end", options.t_end,
+                 "Last time, in the model's time unit [default: the end of the input record]");
   app.add_option("--dt", options.step,
-                 "Step of the output, in the model's time unit; of a map, time from one value "
-                 "to the next [default: 1]");
+                 "Step of the output, in the model's time unit [default: the times of the input "
+                 "record]; of a map, time from one value to the next [default: 1]");
   app.add_option("-o,--output", options.output, "CSV file [default: standard output]")
       ->type_name("FILE");
   app.add_option("--integrator", options.integrator, "Method; see `lacuna list integrator`")
       ->type_name("NAME")
       ->capture_default_str();
   app.add_option("--input-data", options.inputs.paths,
-                 "Record with a column for each input of the model")
+                 "Record with a column for each input of the model; they are written beside the "
+                 "states")
       ->type_name("FILE")
       ->expected(1);
   app.add_option("--noise", options.noise,

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "lacuna/core/base/error.hpp"
+#include "near_file.hpp"
 
 namespace lacuna {
 namespace {
@@ -16,8 +17,10 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t kBuffer = std::size_t{1} << 18U;  // a fact of cost
 
+constexpr const char* kRemedy = "check the name and the permissions";
+
 [[noreturn]] void refuse(const fs::path& path, const std::string& reason,
-                         const std::string& remedy = "check the name and the permissions") {
+                         const std::string& remedy = kRemedy) {
   throw FileError(path.string(), "cannot be read: " + reason, remedy);
 }
 
@@ -27,7 +30,10 @@ File open_file(const fs::path& path) {
     refuse(path, "it is a folder",
            "give a file or a pattern such as '" + (path / "*.csv").string() + "'");
   File file(std::fopen(path.c_str(), "rb"));
-  if (!file) refuse(path, std::strerror(errno));
+  if (!file) {
+    const std::string reason = std::strerror(errno);
+    refuse(path, reason, remedy_of_missing(path, kRemedy));
+  }
   return file;
 }
 

@@ -14,6 +14,7 @@
 #include "byte_stream.hpp"
 #include "gzip_member.hpp"
 #include "lacuna/core/base/error.hpp"
+#include "near_file.hpp"
 #include "stdio_file.hpp"
 
 namespace lacuna {
@@ -102,7 +103,7 @@ std::string read_text_file(const fs::path& path, const std::string& what) {
                                                      : std::fopen(path.c_str(), "rb"));
   if (!file)
     throw FileError(path.string(), "the " + what + " cannot be read",
-                    "check that it exists and that it may be read");
+                    remedy_of_missing(path, "check that it exists and that it may be read"));
   std::string text;
   std::size_t size = 0, added = 1;
   while (added > 0 && size <= kLargestText) {

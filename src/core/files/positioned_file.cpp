@@ -11,13 +11,14 @@
 #include <utility>
 
 #include "lacuna/core/base/error.hpp"
+#include "near_file.hpp"
 
 namespace lacuna {
 namespace {
 
 [[noreturn]] void refuse_place(const std::filesystem::path& path, const std::string& reason) {
   throw FileError(path.string(), "cannot be read in pieces: " + reason,
-                  "check the name and the permissions");
+                  remedy_of_missing(path, "check the name and the permissions"));
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numeric>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 
@@ -185,6 +186,23 @@ Index held_samples(const Dataset& data, Index state) {
   return changes >= kFewestChanges ? std::max<Index>(period, 1) : 1;
 }
 
+/// Whether a column goes to and fro between two values and stays at each for a while.
+bool is_switched(const Dataset& data, Index state) {
+  // Decisions: two whole pulses; more samples between changes than the 2 of a bit of noise.
+  constexpr Index kFewestSwitches = 4, kFewestHeld = 3;
+  std::set<double> values;
+  Index changes = 0, steps = 0;
+  for (const Trajectory& record : data.trajectories)
+    for (Index i = 0; i < record.samples(); ++i) {
+      values.insert(record.states(i, state));
+      if (values.size() > 2 || std::isnan(record.states(i, state))) return false;
+      if (i == 0) continue;
+      changes += record.states(i, state) != record.states(i - 1, state);
+      ++steps;
+    }
+  return changes >= kFewestSwitches && steps >= kFewestHeld * changes;
+}
+
 std::string without(const Dataset& data, const std::vector<Index>& columns) {
   std::vector<std::string> names;
   for (Index k = 0; k < data.state_count(); ++k)
@@ -204,6 +222,10 @@ std::vector<ColumnRemark> held_remarks(const Dataset& data) {
       remarks.push_back({static_cast<Index>(k), ColumnKind::Held,
                          data.states[k].name + " is held " + std::to_string(held[k]) +
                              " samples, as the output of a controller"});
+    else if (is_switched(data, static_cast<Index>(k)))
+      remarks.push_back({static_cast<Index>(k), ColumnKind::Held,
+                         data.states[k].name +
+                             " switches between two values, as a relay or pulses do"});
   return remarks;
 }
 

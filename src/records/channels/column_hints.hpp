@@ -15,8 +15,8 @@ enum class ColumnKind {
   /// copy, an affine image), a product of two, a length sqrt(x^2 + y^2 + z^2). Of a sum the last
   /// column counts as the computed one.
   Computed,
-  /// Its values change every n-th sample only (n > 1) while others change in between: what a
-  /// controller puts out.
+  /// Its values change every n-th sample only (n > 1) while others change in between, what a
+  /// controller puts out; or there are two of them, and it stays at each for a while: a relay.
   Held,
 };
 

@@ -93,11 +93,14 @@ each(svg,'.spatial',function(g){var end=[-1000,-1000,-1000];end[+g.dataset.axis]
 var a=seen([-1000,-1000,-1000]),b=seen(end),l=g.querySelector('line'),t=g.querySelector('text');
 l.setAttribute('x1',a[0]);l.setAttribute('y1',a[1]);l.setAttribute('x2',b[0]);
 l.setAttribute('y2',b[1]);t.setAttribute('x',b[0]);t.setAttribute('y',b[1]-4);});}
+function move(round,up){turn+=round;tilt=Math.max(-1.5,Math.min(1.5,tilt+up));show();}
+var arrows={ArrowLeft:[-0.1,0],ArrowRight:[0.1,0],ArrowUp:[0,-0.1],ArrowDown:[0,0.1]};
+svg.tabIndex=0;svg.addEventListener('keydown',function(e){var by=arrows[e.key];
+if(by&&e.target===svg){e.preventDefault();move(by[0],by[1]);}});
 var from=null;svg.addEventListener('pointerdown',function(e){
 if(e.target.closest('.key'))return;from=[e.clientX,e.clientY];svg.setPointerCapture(e.pointerId);});
 svg.addEventListener('pointermove',function(e){if(!from)return;
-turn+=(e.clientX-from[0])*0.01;tilt=Math.max(-1.5,Math.min(1.5,tilt+(e.clientY-from[1])*0.01));
-from=[e.clientX,e.clientY];show();});
+move((e.clientX-from[0])*0.01,(e.clientY-from[1])*0.01);from=[e.clientX,e.clientY];});
 svg.addEventListener('pointerup',function(){from=null;});});
 })();
 )";

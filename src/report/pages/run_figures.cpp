@@ -39,6 +39,31 @@ std::string file_name(const std::string& kind, const RunView& view, Index k) {
   return kind + "_" + view.states[static_cast<std::size_t>(k)].name;
 }
 
+/// Rows of it; their windows begin with the first.
+GapRecord rows_of(const GapRecord& run, Index begin, Index count) {
+  const auto part = [&](const Matrix& values) {
+    return values.size() > 0 ? Matrix(values.middleRows(begin, count)) : Matrix();
+  };
+  return {run.source,         run.time.segment(begin, count),
+          part(run.measured), part(run.before),
+          part(run.after),    0,
+          run.length};
+}
+
+/// The part that has windows: behind the last whole one there is no model to be shown.
+GapRecord in_windows(const GapRecord& run) {
+  const Index rows = run.time.size() - run.begin;
+  const Index whole = run.length > 0 ? rows - rows % run.length : rows;
+  if (whole == 0 || whole == run.time.size()) return run;
+  return rows_of(run, run.begin, whole);
+}
+
+/// "the whole record", or how long the windows are in which the model was started anew.
+std::string stretch_of(const GapRecord& run, const std::string& unit) {
+  if (run.length <= 0 || run.length >= run.time.size()) return "over the whole record";
+  return "in windows of " + format_number(run.time[run.length] - run.time[0], 3) + " " + unit;
+}
+
 /// Windows do not continue one another: a gap stands between them.
 Series split_series(const std::string& label, const GapRecord& run, const Vector& values,
                     Curve curve) {
@@ -60,14 +85,7 @@ Series split_series(const std::string& label, const GapRecord& run, const Vector
 
 GapRecord excerpt_of(const GapRecord& run) {
   const Index most = std::max(run.length, std::min(kExcerpt, kWindows * run.length));
-  const Index count = std::min(most, run.time.size() - run.begin);
-  const auto part = [&](const Matrix& values) {
-    return values.size() > 0 ? Matrix(values.middleRows(run.begin, count)) : Matrix();
-  };
-  return {run.source,         run.time.segment(run.begin, count),
-          part(run.measured), part(run.before),
-          part(run.after),    0,
-          run.length};
+  return in_windows(rows_of(run, run.begin, std::min(most, run.time.size() - run.begin)));
 }
 
 /// Whether any sample shows something of a state.
@@ -145,11 +163,12 @@ std::vector<Picture> comparison_pictures(const RunView& view) {
 std::vector<Picture> deviation_pictures(const RunView& view) {
   std::vector<Picture> pictures;
   if (view.runs.empty()) return pictures;
-  const GapRecord& run = longest(view.runs);
+  const std::string stretch = stretch_of(longest(view.runs), view.time_unit);
+  const GapRecord run = in_windows(longest(view.runs));
   for (Index k = 0; k < shown_states(view); ++k) {
     if (!is_seen(run, k)) continue;
     LineFigure figure{file_name("deviation", view, k),
-                      state_label(view, k) + ": measured minus model over the whole record",
+                      state_label(view, k) + ": measured minus model " + stretch,
                       time_label(view),
                       "difference in " + state_label(view, k),
                       {}};
@@ -199,7 +218,8 @@ std::vector<Picture> orbit_pictures(const RunView& view) {
     figure.series.push_back(plane_series(view.after, run.after, Curve::Model));
     return {draw(figure)};
   }
-  OrbitFigure figure{"orbit", "Orbit of the first three states: drag to turn", {}, {}};
+  OrbitFigure figure{
+      "orbit", "Orbit of the first three states: drag or press arrows to turn", {}, {}};
   for (Index k = 0; k < 3; ++k) figure.labels.push_back(state_label(view, k));
   figure.orbits.push_back(orbit_of("measured", run.measured, Curve::Measured));
   figure.orbits.push_back(orbit_of(view.after, run.after, Curve::Model));

@@ -11,6 +11,8 @@ namespace {
 
 constexpr double kPlot = 230.0;
 constexpr double kLeft = 76.0, kRight = 16.0, kAbove = 26.0, kBelow = 44.0;
+// A decision: rounding is then off by 2.2e-7 of the height, and panels can be compared to 1e-6.
+constexpr double kPartsOfAPixel = 1e4;
 
 /// The rectangle that curves are drawn in, and what its edges stand for.
 struct Frame {
@@ -69,7 +71,7 @@ std::string path_of(const Series& series, const Frame& frame) {
       continue;
     }
     path += open ? " " : "M";
-    path += svg::pixels(x) + "," + svg::pixels(y);
+    path += svg::pixels(x, kPartsOfAPixel) + "," + svg::pixels(y, kPartsOfAPixel);
     // A line of no length with round ends is a dot.
     if (series.dots) path += "h0";
     open = !series.dots;
@@ -102,8 +104,9 @@ Markup curves(const LineFigure& figure, const Frame& frame) {
 std::vector<svg::Key> keys_of(const LineFigure& figure) {
   std::vector<svg::Key> keys;
   for (std::size_t s = 0; s < figure.series.size(); ++s)
-    keys.push_back({figure.series[s].label, svg::class_of(figure.series[s].curve), s});
-  if (figure.band) keys.push_back({figure.band->label, "band-key", figure.series.size()});
+    keys.push_back({figure.series[s].label, svg::class_of(figure.series[s].curve), s,
+                    figure.series[s].dots});
+  if (figure.band) keys.push_back({figure.band->label, "band-key", figure.series.size(), false});
   return keys;
 }
 

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <optional>
 
+#include "core/base/text.hpp"
 #include "report/plot/figure.hpp"
 #include "svg.hpp"
 
@@ -12,7 +13,8 @@ namespace {
 constexpr double kHeight = 430.0, kTop = 30.0;
 constexpr Index kMostPoints = 4000;
 constexpr double kTurn = 0.7, kTilt = 0.45;  // of the first view, radians
-constexpr double kUnits = 1000.0;            // points are whole numbers from -1000 to 1000
+constexpr double kUnits = 1000.0;            // points are numbers from -1000 to 1000
+constexpr double kPartsOfAUnit = 1000.0;     // a decision: rounding is off by 2.5e-7 of the range
 
 /// Middle and half width of each axis over all orbits.
 struct Box {
@@ -32,7 +34,7 @@ Box box_of(const OrbitFigure& figure) {
   return {(low + high) / 2.0, ((high - low) / 2.0).cwiseMax(1e-300)};
 }
 
-/// Points in the box as whole numbers, those that are shown; nothing stands for a gap.
+/// Points in the box, those that are shown; nothing stands for a gap.
 std::vector<std::optional<Eigen::Vector3d>> shown_points(const Orbit& orbit, const Box& box) {
   const Index n = orbit.points.rows(), step = std::max<Index>(1, n / kMostPoints);
   std::vector<std::optional<Eigen::Vector3d>> points;
@@ -41,8 +43,7 @@ std::vector<std::optional<Eigen::Vector3d>> shown_points(const Orbit& orbit, con
     if (!point.allFinite())
       points.emplace_back();
     else
-      points.emplace_back(
-          ((point - box.middle).cwiseQuotient(box.half) * kUnits).array().round().matrix());
+      points.emplace_back((point - box.middle).cwiseQuotient(box.half) * kUnits);
   }
   return points;
 }
@@ -54,6 +55,15 @@ Eigen::Vector2d projected(const Eigen::Vector3d& point) {
   const double y = point[2] * std::cos(kTilt) + depth * std::sin(kTilt);
   const double scale = 0.31 * (kHeight - kTop) / kUnits;
   return {svg::kWidth / 2.0 + scale * x, kTop + (kHeight - kTop) / 2.0 - scale * y};
+}
+
+/// The values at -1000 and 1000 of each axis.
+std::string ranges_of(const Box& box) {
+  std::string text;
+  for (Index k = 0; k < 3; ++k)
+    text += (k > 0 ? " " : "") + format_number(box.middle[k] - box.half[k]) + " " +
+            format_number(box.middle[k] + box.half[k]);
+  return text;
 }
 
 Markup curve_of(const Orbit& orbit, const Box& box, std::size_t number) {
@@ -68,13 +78,15 @@ Markup curve_of(const Orbit& orbit, const Box& box, std::size_t number) {
     }
     const Eigen::Vector2d seen = projected(*point);
     path += (open ? " " : "M") + svg::pixels(seen[0]) + "," + svg::pixels(seen[1]);
-    for (Index k = 0; k < 3; ++k) data += (k > 0 ? "," : "") + svg::pixels((*point)[k]);
+    for (Index k = 0; k < 3; ++k)
+      data += (k > 0 ? "," : "") + svg::pixels((*point)[k], kPartsOfAUnit);
     open = true;
   }
   return empty_element("path", {{"d", path},
                                 {"class", "curve " + svg::class_of(orbit.curve)},
                                 {"data-series", std::to_string(number)},
                                 {"data-label", orbit.label},
+                                {"data-ranges", ranges_of(box)},
                                 {"data-points", data}});
 }
 

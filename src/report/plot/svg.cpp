@@ -5,6 +5,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <vector>
 
 #include "core/base/utf8.hpp"
 
@@ -22,11 +23,11 @@ std::size_t characters(const std::string& text) {
 
 }  // namespace
 
-std::string pixels(double value) {
+std::string pixels(double value, double parts) {
   std::array<char, 32> buffer{};
-  const double tenths = std::round(std::clamp(value, -1e6, 1e6) * 10.0) / 10.0;
+  const double rounded = std::round(std::clamp(value, -1e6, 1e6) * parts) / parts;
   const auto [end, error] =
-      std::to_chars(buffer.data(), buffer.data() + buffer.size(), tenths + 0.0);
+      std::to_chars(buffer.data(), buffer.data() + buffer.size(), rounded + 0.0);
   return error == std::errc() ? std::string(buffer.data(), end) : "0";
 }
 
@@ -82,7 +83,11 @@ Legend legend(const std::vector<Key>& keys, double left, double right, double to
       x = left;
       y += kLine;
     }
-    const Markup swatch = line(x, y - 4.0, x + 16.0, y - 4.0, "curve " + key.kind);
+    // Three dots for points, as they are drawn: lines of no length.
+    Markup swatch;
+    for (const double at : key.dots ? std::vector{2.0, 8.0, 14.0} : std::vector<double>{})
+      swatch += line(x + at, y - 4.0, x + at, y - 4.0, "curve " + key.kind + " dots");
+    if (!key.dots) swatch = line(x, y - 4.0, x + 16.0, y - 4.0, "curve " + key.kind);
     result.markup += element("g",
                              {{"class", "key"},
                               {"data-series", std::to_string(key.number)},
@@ -104,7 +109,7 @@ Markup drawing(const std::string& title, const std::string& kind, double width, 
                   {"height", pixels(height)},
                   {"class", "picture " + kind},
                   // What can be pressed is no part of an image.
-                  {"role", kind == "lines" ? "group" : "img"}},
+                  {"role", kind == "lines" || kind == "orbit" ? "group" : "img"}},
                  element("title", Markup::text(title)) + content);
 }
 

@@ -13,8 +13,8 @@ namespace lacuna::svg {
 /// How wide a figure is, in pixels.
 inline constexpr double kWidth = 760.0;
 
-/// Pixels to a tenth, "12.5".
-std::string pixels(double value);
+/// Pixels, rounded to so many parts of one: "12.5".
+std::string pixels(double value, double parts = 10.0);
 
 /// "measured", "before", "model", "other": class of a curve.
 std::string class_of(Curve curve);
@@ -37,6 +37,7 @@ struct Key {
   std::string label;
   std::string kind;  ///< class of the curve
   std::size_t number = 0;
+  bool dots = false;  ///< whether points are shown, not a curve
 };
 
 /// The legend from `left` on, in as many lines as it needs.

@@ -17,7 +17,11 @@ TEST(ListCommand, ShowsEveryPart) {
     EXPECT_THAT(out, ::testing::ContainsRegex(" " + std::string(entry.info.name) + "[,\n]"));
   for (const char* name : {"algorithm1", "robust", "sindy", "lorenz", "tl072"})
     EXPECT_THAT(out, ::testing::ContainsRegex(" " + std::string(name) + "[,\n]"));
-  EXPECT_THAT(out, HasSubstr("preset (4): "));
+  std::map<std::string, int> counts{{"preset", 4}};
+  for (const RegistryEntry& entry : registry.entries())
+    if (entry.kind != entry.info.name) ++counts[std::string(entry.kind)];  // no set of options
+  for (const auto& [kind, count] : counts)
+    EXPECT_THAT(out, HasSubstr(kind + " (" + std::to_string(count) + "): "));
   EXPECT_THAT(out, ::testing::ContainsRegex("\nSets of options: .*decision"));
 }
 

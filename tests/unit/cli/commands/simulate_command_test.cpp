@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <cmath>
+#include <sstream>
 
 #include "data/formats/read_text.hpp"
 #include "unit/cli/commands/records.hpp"
@@ -49,7 +50,61 @@ TEST(SimulateCommand, OutputsStandBehindTheStates) {
   const auto result = run_command(
       {"simulate", model, "--x0", "-3", "--t-end", "1", "--dt", "1", "--input-data", inputs});
   EXPECT_EQ(result.status, 0) << result.err;
-  EXPECT_THAT(result.out, HasSubstr("t [s],x,y [V]\n0,-3,11\n"));
+  EXPECT_THAT(result.out, HasSubstr("t [s],x,y [V],u\n0,-3,11,5\n"));
+}
+
+/// dx/dt = u held from 0 s on 2, from 1.5 s on 4, from 2 s on 6: x = 1 + 2*(t - 0.5) up to 1.5 s,
+/// then 3 + 4*(t - 1.5).
+TEST(SimulateCommand, TimesAreThoseOfTheInputsWhereNoneAreGiven) {
+  const Records records;
+  const std::string model =
+      records.folder().write("m.ode", "input u [V] hold zero\ndx/dt = u\n");
+  const std::string inputs =
+      records.folder().write("u.csv", "t [s],u [V]\n0.5,2\n1.5,4\n2,6\n");
+  // Rows of t, x and u.
+  const auto expect_run = [&](const std::vector<std::string>& times, const Matrix& rows) {
+    std::vector<std::string> words = {"simulate", model, "--x0", "1", "--input-data", inputs};
+    words.insert(words.end(), times.begin(), times.end());
+    std::istringstream table(run_command(words).out);
+    std::string line;
+    std::getline(table, line);
+    EXPECT_EQ(line, "t [s],x,u [V]");
+    for (Index i = 0; i < rows.rows(); ++i) {
+      ASSERT_TRUE(std::getline(table, line)) << i;
+      std::istringstream cells(line);
+      for (Index k = 0; k < 3; ++k) {
+        std::string cell;
+        std::getline(cells, cell, ',');
+        EXPECT_NEAR(std::stod(cell), rows(i, k), 1e-12) << line;
+      }
+    }
+    EXPECT_FALSE(std::getline(table, line)) << line;
+  };
+  expect_run({}, Matrix{{0.5, 1, 2}, {1.5, 3, 4}, {2, 5, 6}});
+  expect_run({"--dt", "0.5"}, Matrix{{0.5, 1, 2}, {1, 2, 2}, {1.5, 3, 4}, {2, 5, 6}});
+  expect_run({"--t-start", "1", "--t-end", "1.75"}, Matrix{{1, 1, 2}, {1.5, 2, 4}});
+}
+
+/// The initial value holds at 1 s.
+TEST(SimulateCommand, InitialValuesComeBeforeTheTimesOfTheInputs) {
+  const Records records;
+  const std::string model = records.folder().write(
+      "m.ode", "input u hold zero\ndx/dt = u\ninitial x = 3 at 1 fixed\n");
+  const std::string inputs = records.folder().write("u.csv", "t,u\n0,2\n2,2\n3,2\n");
+  EXPECT_THAT(run_command({"simulate", model, "--input-data", inputs}).out,
+              HasSubstr("\n1,3,2\n2,5,2\n3,7,2\n"));
+}
+
+TEST(SimulateCommand, TimesAreAskedForWhereNothingHasThem) {
+  expect_failure(run_command({"simulate", "lorenz", "--x0", "1,1,1", "--dt", "0.1"}), 2,
+                 {"--t-end", "no record of inputs"});
+  expect_failure(run_command({"simulate", "lorenz", "--x0", "1,1,1", "--t-end", "1"}), 2,
+                 {"--dt", "no record of inputs"});
+}
+
+TEST(SimulateCommand, ATestSystemOfANearNameIsSuggested) {
+  expect_failure(run_command({"simulate", "lorentz", "--x0", "1,1,1", "--t-end", "1"}), 2,
+                 {"lorentz", "did you mean the test system 'lorenz'?"});
 }
 
 TEST(SimulateCommand, InputsThatAreMissingAreAskedFor) {

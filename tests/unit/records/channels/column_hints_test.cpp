@@ -106,5 +106,18 @@ TEST(ColumnHints, AHeldColumnLooksLikeAnInput) {
       << "a coarse value changes at any sample";
 }
 
+/// Pulses whose width is modulated: no number of samples divides all of them.
+TEST(ColumnHints, AColumnThatSwitchesLooksLikeAnInput) {
+  const auto pulses = [](Index i) { return wave_y(i) > 0.3 ? 12.0 : 0.0; };
+  const auto bit = [](Index i) { return static_cast<double>(i * i % 7 % 2); };
+  const auto step = [](Index i) { return i < 100 ? 0.0 : 1.0; };
+  const auto levels = [](Index i) { return std::round(1.2 * wave_y(i)); };
+  expect_one(waves_of({"x", "pwm"}, wave_x, pulses), "pwm switches between two values",
+             "--inputs pwm");
+  EXPECT_TRUE(column_hints(waves_of({"x", "b"}, wave_x, bit)).empty()) << "a bit of noise";
+  EXPECT_TRUE(column_hints(waves_of({"x", "s"}, wave_x, step)).empty()) << "one change";
+  EXPECT_TRUE(column_hints(waves_of({"x", "c"}, wave_x, levels)).empty()) << "three values";
+}
+
 }  // namespace
 }  // namespace lacuna

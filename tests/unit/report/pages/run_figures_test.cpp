@@ -86,6 +86,30 @@ TEST(RunFigures, WindowsAreNotJoined) {
   EXPECT_EQ(count(svg.substr(begin, at - begin), "M"), 4) << "200 samples in windows of 50";
 }
 
+/// 230 samples in windows of 50: there is no model behind the fourth.
+TEST(RunFigures, EndWithTheLastWholeWindow) {
+  std::vector<GapRecord> runs{run(230)};
+  runs[0].after.bottomRows(30).setConstant(NAN);
+  const RunView view{runs, {{"x", "V"}}, "s", Vector()};
+  const Picture shown = comparison_pictures(view).at(0), left = deviation_pictures(view).at(0);
+  EXPECT_EQ(values_of(shown, "measured").size(), 200u);
+  EXPECT_NEAR(values_of(shown, "measured").rbegin()->first, 19.9, 1e-9);
+  EXPECT_EQ(values_of(left, view.after).size(), 200u);
+  EXPECT_EQ(left.title, "x [V]: measured minus model in windows of 5 s");
+  runs[0].length = 0;
+  EXPECT_EQ(deviation_pictures(view).at(0).title,
+            "x [V]: measured minus model over the whole record");
+}
+
+TEST(RunFigures, WindowsBeginWhereTheFirstDoes) {
+  std::vector<GapRecord> runs{run(230)};
+  runs[0].begin = 30;
+  const auto measured = values_of(
+      comparison_pictures({runs, {{"x", "V"}}, "s", Vector()}).at(0), "measured");
+  EXPECT_EQ(measured.size(), 200u);
+  EXPECT_NEAR(measured.begin()->first, 3.0, 1e-9);
+}
+
 TEST(RunFigures, TheLongestRecordIsShown) {
   std::vector<GapRecord> runs{run(100), run(300)};
   runs[1].source = "/data/long.csv";

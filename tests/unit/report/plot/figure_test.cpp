@@ -4,7 +4,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <sstream>
 
 #include "support/well_formed.hpp"
 
@@ -46,6 +48,44 @@ TEST(LineFigure, CurvesAreSplitWhereThereIsNoValue) {
   const std::size_t at = svg.find("d=\"", svg.rfind("<path"));
   const std::string path = svg.substr(at, svg.find('"', at + 3) - at);
   EXPECT_EQ(count(path, "M"), 2) << path;
+}
+
+/// Numbers behind each other in an attribute behind a place in a text.
+std::vector<double> numbers_of(const std::string& svg, const std::string& name,
+                               std::size_t from) {
+  const std::size_t at = svg.find(" " + name + "=\"", from) + name.size() + 3;
+  std::string text = svg.substr(at, svg.find('"', at) - at);
+  std::replace_if(text.begin(), text.end(), [](char c) { return c == 'M' || c == ','; }, ' ');
+  std::istringstream words(text);
+  std::vector<double> numbers;
+  for (double number = 0.0; words >> number;) numbers.push_back(number);
+  return numbers;
+}
+
+TEST(LineFigure, WhatIsDrawnHasTheValuesTo1e6OfTheirRange) {
+  LineFigure figure{"lines", "sine", "t", "x", {}};
+  const Vector t = Vector::LinSpaced(300, 0.0, 7.0);
+  figure.series.push_back({"model", t, t.array().sin(), Curve::Model});
+  const std::string svg = draw(figure).svg.string();
+  const std::size_t plot = svg.find("class=\"plot\"");
+  const auto box = numbers_of(svg, "data-box", plot), x = numbers_of(svg, "data-x", plot),
+             y = numbers_of(svg, "data-y", plot), drawn = numbers_of(svg, "d", plot);
+  ASSERT_EQ(drawn.size(), 600u);
+  for (std::size_t i = 0; i < 300; ++i) {
+    const double time = x[0] + (drawn[2 * i] - box[0]) / box[2] * (x[1] - x[0]);
+    const double value = y[0] + (1.0 - (drawn[2 * i + 1] - box[1]) / box[3]) * (y[1] - y[0]);
+    EXPECT_NEAR(time, t[static_cast<Index>(i)], 1e-6 * 7.0);
+    EXPECT_NEAR(value, std::sin(t[static_cast<Index>(i)]), 1e-6 * 2.0);
+  }
+}
+
+/// Three dots, not a line.
+TEST(LineFigure, PointsArePointsInTheLegend) {
+  const std::string svg = draw(lines()).svg.string();
+  const std::string legend = svg.substr(0, svg.find("class=\"plot\""));
+  EXPECT_EQ(count(legend, "class=\"curve measured dots\""), 3);
+  EXPECT_EQ(count(legend, "class=\"curve measured\""), 0);
+  EXPECT_EQ(count(legend, "class=\"curve model\""), 1);
 }
 
 TEST(LineFigure, OfNothingIsStillOne) {
@@ -93,13 +133,14 @@ TEST(RowFigure, LongNamesStandAboveTheirBars) {
   EXPECT_EQ(count(above, "text-anchor=\"end\""), 0);
 }
 
-TEST(OrbitFigure, BringsWholeNumbersForTurning) {
+TEST(OrbitFigure, BringsNumbersForTurning) {
   Matrix points(3, 3);
   points << 0, 0, 0, NAN, 0, 0, 2, 4, 8;
   const OrbitFigure figure{"orbit", "Orbit", {"x", "y", "z"}, {{"model", points}}};
   const std::string svg = draw(figure).svg.string();
   EXPECT_EQ(support::first_fault(svg), "");
   EXPECT_THAT(svg, HasSubstr("data-points=\"-1000,-1000,-1000 - 1000,1000,1000\""));
+  EXPECT_THAT(svg, HasSubstr("data-ranges=\"0 2 0 4 0 8\""));
   EXPECT_EQ(count(svg, "class=\"spatial\""), 3);
 }
 
