@@ -32,7 +32,7 @@ double parameters_score(const ScoreTerms& terms, const Rivals& rivals,
   for (std::size_t i = 0; i < rivals.runs.size(); ++i) {
     if (terms.precision == PrecisionCriterion::Chosen && terms.chosen[i].empty()) continue;
     sum += rivals.weights[i] *
-           precision_of(rivals.knowledge[i].information + evidence.models[i].information,
+           precision_of({rivals.knowledge[i].information, evidence.models[i].information},
                         sizes_of(rivals.runs[i].values), terms.precision, terms.chosen[i]);
   }
   return sum;

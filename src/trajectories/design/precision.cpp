@@ -19,8 +19,24 @@ struct Scaled {
   Index open = 0;  ///< directions of which nothing is known: the first ones
 };
 
-Scaled scaled(const Matrix& information, const Vector& size) {
-  const Matrix own = size.asDiagonal() * information * size.asDiagonal();
+/// What an experiment adds, in units of sizes, as far as it is more than rounding.
+Matrix resolved(const Matrix& added, const Vector& size) {
+  // Facts: what paths are integrated to, of a number; rounding of the largest eigenvalue.
+  constexpr double kLeastError = 1e-6;
+  const double rounding =
+      std::numeric_limits<double>::epsilon() * static_cast<double>(added.rows());
+  const Eigen::SelfAdjointEigenSolver<Matrix> solver(
+      Matrix(size.asDiagonal() * added * size.asDiagonal()));
+  Vector values = solver.eigenvalues();
+  const double least = rounding * values[values.size() - 1];
+  for (double& value : values)
+    value = value > least ? std::min(value, 1.0 / (kLeastError * kLeastError)) : 0.0;
+  return solver.eigenvectors() * values.asDiagonal() * solver.eigenvectors().transpose();
+}
+
+Scaled scaled(const InformationParts& information, const Vector& size) {
+  const Matrix own = size.asDiagonal() * information.known * size.asDiagonal() +
+                     resolved(information.added, size);
   const Eigen::SelfAdjointEigenSolver<Matrix> solver(own);
   Scaled result{solver.eigenvalues(), solver.eigenvectors()};
   const double least = std::max(kRounding * result.eigenvalues[own.rows() - 1],
@@ -39,8 +55,8 @@ Vector variances(const Scaled& scaled) {
 
 }  // namespace
 
-double precision_of(const Matrix& information, const Vector& size, PrecisionCriterion criterion,
-                    const std::vector<Index>& chosen) {
+double precision_of(const InformationParts& information, const Vector& size,
+                    PrecisionCriterion criterion, const std::vector<Index>& chosen) {
   if (size.size() == 0) return 0.0;
   const Scaled own = scaled(information, size);
   const Vector& values = own.eigenvalues;
@@ -63,7 +79,11 @@ Vector sizes_of(const Vector& values) {
   return values.unaryExpr([](double value) { return value == 0.0 ? 1.0 : std::abs(value); });
 }
 
-Vector standard_errors(const Matrix& information, const Vector& size) {
+Vector standard_errors(const Matrix& known, const Vector& size) {
+  return errors_after({known, Matrix::Zero(known.rows(), known.cols())}, size);
+}
+
+Vector errors_after(const InformationParts& information, const Vector& size) {
   if (size.size() == 0) return {};
   const Scaled own = scaled(information, size);
   Vector errors = size.cwiseProduct(variances(own).cwiseSqrt());

@@ -70,15 +70,15 @@ void judge_pairs(Plan& plan) {
 /// Standard errors after experiments where the numbers are those of a draw.
 Vector errors_of_draw(ModelRun& run, const Matrix& known,
                       const std::vector<Experiment>& experiments, const PathNumbers& draw) {
-  Matrix information = known;
+  Matrix added = Matrix::Zero(known.rows(), known.cols());
   for (const Experiment& experiment : experiments) {
     load(run, experiment);
     const LinearPrediction linear =
         linearise(run, experiment, in_experiment(run, experiment, draw));
     if (!linear.is_finite) return Vector::Constant(known.rows(), kNone);
-    information += model_evidence(linear).information;
+    added += model_evidence(linear).information;
   }
-  return standard_errors(information, sizes_of(run.values));
+  return errors_after({known, added}, sizes_of(run.values));
 }
 
 /// Standard errors after experiments, root mean squares over the draws that determine a number.
@@ -165,10 +165,10 @@ std::vector<ParameterPromise> parameter_promises(const PlanProblem& problem,
     const Vector before = standard_errors(known, size);
     const Vector after = expected_errors(
         rivals, i, experiments,
-        standard_errors(known + expected.planned.models[i].information, size), context);
+        errors_after({known, expected.planned.models[i].information}, size), context);
     Vector repeated = Vector::Constant(size.size(), kNone);
     if (!expected.made.models.empty())
-      repeated = standard_errors(known + expected.made.models[i].information, size);
+      repeated = errors_after({known, expected.made.models[i].information}, size);
     const std::vector<std::string> names = run.engine.model.names();
     for (Index p = 0; p < size.size(); ++p) {
       const std::string& name = names[static_cast<std::size_t>(p)];

@@ -3,10 +3,14 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/LU>
+
 #include <cmath>
 
 namespace lacuna {
 namespace {
+
+const Matrix kNothing = Matrix::Zero(2, 2);
 
 /// [[4, 1], [1, 3]]: determinant 11, inverse [[3, -1], [-1, 4]] / 11, eigenvalues (7 -+ sqrt
 /// 5)/2.
@@ -20,7 +24,7 @@ TEST(PrecisionOf, IsTheFormulaOfEachCriterion) {
   const Vector one = Vector::Ones(2);
   const double low = 0.5 * (7.0 - std::sqrt(5.0)), high = 0.5 * (7.0 + std::sqrt(5.0));
   const auto of = [&](PrecisionCriterion criterion) {
-    return precision_of(information(), one, criterion, {1});
+    return precision_of({information(), kNothing}, one, criterion, {1});
   };
   EXPECT_NEAR(of(PrecisionCriterion::D), std::log(11.0), 1e-12);
   EXPECT_NEAR(of(PrecisionCriterion::A), -std::log(7.0 / 11.0), 1e-12);
@@ -38,8 +42,8 @@ TEST(PrecisionOf, UnitsDoNotMatter) {
   const Matrix same = unit.asDiagonal() * information() * unit.asDiagonal();
   for (const auto criterion : {PrecisionCriterion::D, PrecisionCriterion::A,
                                PrecisionCriterion::E, PrecisionCriterion::ModifiedE})
-    EXPECT_NEAR(precision_of(same, other, criterion),
-                precision_of(information(), size, criterion), 1e-9);
+    EXPECT_NEAR(precision_of({kNothing, same}, other, criterion),
+                precision_of({information(), kNothing}, size, criterion), 1e-9);
 }
 
 TEST(StandardErrors, AreRootsOfTheInverse) {
@@ -58,6 +62,24 @@ TEST(StandardErrors, OfAnOpenDirectionThereAreNone) {
   EXPECT_TRUE(std::isnan(errors[1]));
   EXPECT_NEAR(errors[2], 0.5, 1e-12);
   EXPECT_TRUE(std::isnan(standard_errors(Matrix::Zero(1, 1), Vector::Ones(1))[0]));
+}
+
+TEST(StandardErrors, WhatIsKnownStaysBesideAChaoticPath) {
+  // A direction of which a path adds 1e24, far beyond rounding of what is known: across it the
+  // errors are those of before, and no error is less than a millionth.
+  Matrix known = Matrix::Zero(3, 3);
+  known.diagonal() << 4.0, 100.0, 25.0;
+  const Vector steep = Vector{{1.0, 2.0, -1.0}}.normalized();
+  const Matrix added = 1e24 * steep * steep.transpose();
+  const Vector errors = errors_after({known, added}, Vector::Ones(3));
+  Matrix across(3, 2);
+  across.col(0) = Vector{{2.0, -1.0, 0.0}}.normalized();
+  across.col(1) = Vector{{1.0, 2.0, 5.0}}.normalized();
+  const Matrix inverse =
+      across * (across.transpose() * known * across).inverse() * across.transpose();
+  for (Index p = 0; p < 3; ++p) EXPECT_NEAR(errors[p], std::sqrt(inverse(p, p)), 1e-5);
+  const Matrix nothing = Matrix::Zero(1, 1), much = Matrix::Constant(1, 1, 1e24);
+  EXPECT_NEAR(errors_after({nothing, much}, Vector::Constant(1, 3.0))[0], 3e-6, 1e-9);
 }
 
 }  // namespace
