@@ -88,10 +88,14 @@ double time_scale_of(const ShootingRecord& series, const Column& column, double 
   return best;
 }
 
-/// The law that the model has for a column: of the output of its name.
-std::optional<NoiseLaw> law_of(const OdeModel& model, const std::string& column) {
+/// The law that the model has for the column of a state: of the output of its name, else of the
+/// first one that is just the state, by which a column may be called (model_columns.hpp).
+std::optional<NoiseLaw> law_of(const OdeModel& model, const std::string& state) {
   for (const Output& output : model.outputs())
-    if (output.name == column) return output.noise;
+    if (output.name == state) return output.noise;
+  for (const Output& output : model.outputs())
+    if (output.formula.operation() == Operation::Variable && output.formula.name() == state)
+      return output.noise;
   return std::nullopt;
 }
 

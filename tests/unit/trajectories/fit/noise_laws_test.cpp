@@ -32,6 +32,19 @@ Dataset decay(const Noise& noise) {
   return data;
 }
 
+TEST(NoiseLaws, OfAnOutputThatIsJustAStateAreThoseOfItsColumn) {
+  Dataset data = decay([](double y, double e) { return y * std::exp(0.3 * e); });
+  const std::string model = "param k = 1\ndx/dt = -k*x\n";
+  const Fit by_state =
+      fit(parse_ode_system(model + "x = x noise lognormal\n", "m.ode"), data, {});
+  data.states[0].name = "y";
+  const Fit by_output =
+      fit(parse_ode_system(model + "y = x noise lognormal\n", "m.ode"), data, {});
+  ASSERT_TRUE(by_output.quality[0].law.has_value());
+  EXPECT_NEAR(by_output.log_likelihood, by_state.log_likelihood, 1e-9);
+  EXPECT_NEAR(by_output.numbers[0].value, by_state.numbers[0].value, 1e-9);
+}
+
 // Logarithms of a decay with lognormal noise are a straight line: linear regression is the
 // maximum of the likelihood, with the exact standard error.
 TEST(NoiseLaws, LognormalDecayIsTheRegressionOfLogarithms) {
