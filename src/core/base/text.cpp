@@ -125,7 +125,8 @@ std::optional<std::string> nearest_name(std::string_view name,
   std::optional<std::string> nearest;
   std::size_t bound = std::max<std::size_t>(1, name.size() / 3) + 1;
   for (const std::string& candidate : known) {
-    const auto [shorter, longer] = std::minmax(name.size(), candidate.size());
+    const std::size_t shorter = std::min(name.size(), candidate.size());
+    const std::size_t longer = std::max(name.size(), candidate.size());
     if (longer - shorter >= bound) continue;  // no distance is below that
     const std::size_t distance = edit_distance(name, candidate);
     if (distance >= bound || distance >= longer) continue;

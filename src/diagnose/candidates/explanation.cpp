@@ -215,9 +215,9 @@ class JointFit {
   /// may be far from linear.
   Moved in_reach(const Explanation& best, const std::vector<FittedEffect>& moved,
                  double part) const {
-    // Facts of the search: to a sixteenth of the step, as long as each half leaves a half.
+    // A fact of the search: to a sixteenth of the step. Where half a step is hardly better than
+    // the whole, a smaller part may still be (a rule that gave up there led to a false name).
     constexpr int kHalvings = 4;
-    constexpr double kLeftByHalf = 0.5;
     const auto at_part = [&](double fraction) {
       std::vector<FittedEffect> effects = moved;
       for (std::size_t e = 0; e < effects.size(); ++e)
@@ -226,13 +226,10 @@ class JointFit {
       return at(best.fit, std::move(effects), 3);
     };
     Moved result{at_part(part), part};
-    const auto short_of = [&] { return result.fit.fit.deviance - best.fit.deviance; };
-    for (int halving = 0; halving < kHalvings && !(short_of() < 0.0); ++halving) {
-      const double before = short_of();
+    for (int halving = 0; halving < kHalvings && !(result.fit.fit.deviance < best.fit.deviance);
+         ++halving) {
       part *= 0.5;
       result = {at_part(part), part};
-      // What rises as a parabola does falls to a quarter; what does not is no matter of shapes.
-      if (short_of() > kLeftByHalf * before) break;
     }
     return result;
   }
