@@ -13,6 +13,7 @@
 #include "lacuna/core/base/error.hpp"
 #include "lacuna/dynamics/integration/simulate.hpp"
 #include "lacuna/model/files/ode_text.hpp"
+#include "lacuna/records/binding/model_view.hpp"
 #include "lacuna/trajectories/fit/fit.hpp"
 
 namespace lacuna {
@@ -38,8 +39,8 @@ TEST(NoiseLaws, OfAnOutputThatIsJustAStateAreThoseOfItsColumn) {
   const Fit by_state =
       fit(parse_ode_system(model + "x = x noise lognormal\n", "m.ode"), data, {});
   data.states[0].name = "y";
-  const Fit by_output =
-      fit(parse_ode_system(model + "y = x noise lognormal\n", "m.ode"), data, {});
+  const SystemModel system = parse_ode_system(model + "y = x noise lognormal\n", "m.ode");
+  const Fit by_output = fit(system, model_view(system.model(), data), {});
   ASSERT_TRUE(by_output.quality[0].law.has_value());
   EXPECT_NEAR(by_output.log_likelihood, by_state.log_likelihood, 1e-9);
   EXPECT_NEAR(by_output.numbers[0].value, by_state.numbers[0].value, 1e-9);
