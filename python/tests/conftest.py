@@ -81,12 +81,7 @@ def folder(tmp_path_factory: pytest.TempPathFactory, command: Command) -> Path:
             "--input-data", "input.csv", "--noise", "x=0.002,v=0.002", "--seed", seed,
             folder=place,
         )  # fmt: skip
-        lines = text.splitlines()
-        joined = [f"{lines[0]},u [N]"]
-        joined += [
-            f"{line},{u!r}" for line, u in zip(lines[1:], _input(times).tolist(), strict=False)
-        ]
-        (place / f"{name}.csv").write_text("\n".join(joined) + "\n")
+        (place / f"{name}.csv").write_text(text)
     (place / "orbit.csv").write_text(
         command("simulate", "lorenz", "--x0", "1,1,20", "--t-end", "20", "--dt", "0.02")
     )
