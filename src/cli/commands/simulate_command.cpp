@@ -77,7 +77,7 @@ Vector times_within(const Vector& record, double first, double last) {
 /// @param known times of the input record; null where there is none.
 Vector parse_times(const SimulateRequest& options, bool is_map, std::optional<double> begin,
                    const Vector* known) {
-  constexpr double kStepOfMaps = 1.0;  // by definition
+  constexpr double kStepOfMaps = 1.0;  // a fact, by definition
   if (options.times) return *options.times;
   if (!options.t_end && known == nullptr) refuse_without("--t-end");
   const double start = begin ? *begin : known != nullptr ? (*known)[0] : 0.0;

@@ -85,7 +85,8 @@ Matrix energy_of_quadratics(const QuadraticFlow& flow) {
 
 /// The weights nearest to 1 with which quadratic terms keep the energy, of mean 1.
 std::optional<Vector> energy_weights(const QuadraticFlow& flow) {
-  // Facts: below the first a state hardly counts; the second is rounding.
+  // Facts of the method: with less weight, a ball is so long in that state that it says nothing
+  // of it; and rounding.
   constexpr double kLeastWeight = 1e-3, kRounding = 1e-9;
   const Index n = flow.size();
   Matrix energy = energy_of_quadratics(flow);

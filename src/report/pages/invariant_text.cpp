@@ -56,7 +56,7 @@ std::string relation_sentence(const Relation& relation) {
 }
 
 std::string trapping_sentence(const OdeModel& model, const TrappingRegion& region) {
-  // For people.
+  // A decision, for people: of centre, weights and radius.
   constexpr int kDigits = 3;
   const double spread = region.radius / std::sqrt(region.weights.minCoeff());
   std::vector<std::string> squares;

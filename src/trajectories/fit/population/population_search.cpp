@@ -119,7 +119,7 @@ std::optional<double> upper_limit(const Objective& objective, const SmoothTask& 
 /// Whether no spread at all is within the limit. @param variance of the spread.
 bool may_be_zero(Objective& objective, const SmoothTask& task, Index place, double variance,
                  double best, const RunContext& context) {
-  constexpr double kSure = 4.0;  // standard errors: twice as many as the limit has, about
+  constexpr double kSure = 4.0;  // a fact of cost: twice the errors of the limit, about
   Vector without = task.start;
   without[place] = 0.0;
   if (objective(without) - best < kLimit) return true;
@@ -187,7 +187,7 @@ PopulationMinimum maximise(FitEngine& engine, const PopulationProblem& problem,
 PopulationMinimum search_population(FitEngine& engine, const PopulationProblem& problem,
                                     const FitPoint& start, bool only_given,
                                     const RunContext& context) {
-  constexpr double kSame = 0.01;  // of twice the log-likelihood
+  constexpr double kSame = 0.01;  // a fact of the search: of twice the log-likelihood
   const RunContext needed = context.unhurried();
   FitUnknowns alike = problem.unknowns;  // as if nothing varied
   const FitSearch pooled = search_fit(engine, alike, start, {.only_given = true}, needed);

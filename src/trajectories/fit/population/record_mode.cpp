@@ -153,8 +153,8 @@ RecordNormal record_normal(FitEngine& engine, const PopulationProblem& problem,
 RecordMode find_mode(FitEngine& engine, const PopulationProblem& problem,
                      const PopulationValues& values, Index record, const Vector& guess,
                      FitPoint& point, FitPath& path) {
-  constexpr int kMostSteps = 100;
-  // Of the loss: a decrease that is rounding. What such a step leaves is a fraction of it.
+  constexpr int kMostSteps = 100;  // a fact of cost
+  // A fact, of the loss: a decrease that is rounding. What such a step leaves is a fraction of it.
   constexpr double kSmall = 1e-11, kMostDamping = 1e8, kFirstDamping = 1e-3;
   const Matrix ranges = ranges_of(problem, values);
   RecordMode mode{guess, kInfinity, 0.0, {}};
