@@ -1,4 +1,4 @@
-"""Types, style and stubs; what an import and a call cost."""
+"""Types, style and stubs; the memory of a call. Times: benchmarks/studies/python/calls.py."""
 
 from __future__ import annotations
 
@@ -7,7 +7,6 @@ import os
 import re
 import subprocess
 import sys
-import time
 from pathlib import Path
 
 import numpy as np
@@ -108,33 +107,6 @@ def test_every_public_name_has_a_docstring() -> None:
             assert heading in text, (name, heading)
 
 
-@pytest.mark.unsanitized
-def test_an_import_takes_less_than_a_sixth_of_a_second() -> None:
-    """By the interpreter's own account of what it did after it had started."""
-    script = "import time; t = time.process_time(); import lacuna; print(time.process_time() - t)"
-    times = [
-        float(subprocess.run([sys.executable, "-c", script], capture_output=True, text=True,
-                             check=True).stdout)
-        for _ in range(5)
-    ]  # fmt: skip
-    assert min(times) < 0.15
-
-
-@pytest.mark.unsanitized
-@pytest.mark.filterwarnings("ignore::lacuna.LacunaWarning")
-def test_arrays_and_answers_cost_little_of_a_call() -> None:
-    """What Python adds to identify on 10 000 x 3: at most 5 % of its time."""
-    t = np.arange(SAMPLES) * 0.01
-    x = lacuna.simulate("lorenz", [1, 1, 20], t).x
-    begin = time.process_time()
-    found = lacuna.identify(x, t, threads=1)
-    whole = time.process_time() - begin
-    begin = time.process_time()
-    lacuna.Records(x, t)
-    assert found.to_json()
-    assert time.process_time() - begin < 0.05 * whole
-
-
 def peak(*arguments: str) -> float:
     """Largest memory of a process that does this, in MB."""
     process = subprocess.Popen(arguments, stdout=subprocess.DEVNULL)
@@ -157,20 +129,3 @@ def test_an_array_takes_little_memory_beside_the_call(tmp_path: Path) -> None:
     )
     command = [PROGRAM, "identify", str(file), "--preset", "sindy", "--threads", "1"]
     assert added < peak(*command) - peak(PROGRAM, "--version") + 10
-
-
-@pytest.mark.unsanitized
-def test_evaluations_cost_what_they_cost_the_library() -> None:
-    """A call of a million rows has no work but the library's: a thousandth of it in a row."""
-    model = lacuna.Model.load("lorenz")
-    rows = np.random.default_rng(1).normal(size=(1_000_000, 3))
-
-    def seconds(array: np.ndarray) -> float:
-        begin = time.process_time()
-        model(0.0, array)
-        return time.process_time() - begin
-
-    model(0.0, rows[:10])
-    million = min(seconds(rows) for _ in range(3))
-    thousand = min(seconds(rows[:1000]) for _ in range(50))
-    assert million < 1.5 * 1000 * thousand
