@@ -3,6 +3,7 @@
 // of.
 #pragma once
 
+#include "lacuna/bases/compositions.hpp"
 #include "lacuna/bases/expressions.hpp"
 #include "lacuna/bases/fourier.hpp"
 #include "lacuna/bases/monomials.hpp"
@@ -19,6 +20,7 @@
 #include "lacuna/data/derivatives/savitzky_golay.hpp"
 #include "lacuna/data/derivatives/smoothing_spline.hpp"
 #include "lacuna/data/derivatives/spectral.hpp"
+#include "lacuna/data/derivatives/trend_filter.hpp"
 #include "lacuna/data/derivatives/whittaker.hpp"
 #include "lacuna/diagnose/criterion/criterion.hpp"
 #include "lacuna/diagnose/criterion/extended_bic.hpp"
@@ -32,6 +34,7 @@
 #include "lacuna/regression/filters/abm.hpp"
 #include "lacuna/regression/filters/none.hpp"
 #include "lacuna/regression/filters/svd_filter.hpp"
+#include "lacuna/regression/filters/vca.hpp"
 #include "lacuna/regression/formulations/integral_form.hpp"
 #include "lacuna/regression/formulations/next_sample.hpp"
 #include "lacuna/regression/formulations/strong_form.hpp"

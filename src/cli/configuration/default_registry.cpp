@@ -8,6 +8,7 @@
 #include "diagnose/hypotheses/shared_process.hpp"
 #include "diagnose/hypotheses/unmeasured_input.hpp"
 #include "dynamics/integration/automatic.hpp"
+#include "lacuna/bases/compositions.hpp"
 #include "lacuna/bases/expressions.hpp"
 #include "lacuna/bases/fourier.hpp"
 #include "lacuna/bases/monomials.hpp"
@@ -23,6 +24,7 @@
 #include "lacuna/data/derivatives/savitzky_golay.hpp"
 #include "lacuna/data/derivatives/smoothing_spline.hpp"
 #include "lacuna/data/derivatives/spectral.hpp"
+#include "lacuna/data/derivatives/trend_filter.hpp"
 #include "lacuna/data/derivatives/whittaker.hpp"
 #include "lacuna/dynamics/integration/cvode.hpp"
 #include "lacuna/dynamics/integration/runge_kutta.hpp"
@@ -30,6 +32,7 @@
 #include "lacuna/regression/filters/abm.hpp"
 #include "lacuna/regression/filters/none.hpp"
 #include "lacuna/regression/filters/svd_filter.hpp"
+#include "lacuna/regression/filters/vca.hpp"
 #include "lacuna/regression/formulations/integral_form.hpp"
 #include "lacuna/regression/formulations/next_sample.hpp"
 #include "lacuna/regression/formulations/strong_form.hpp"
@@ -69,10 +72,14 @@ void add_formulations(Registry& registry) {
   registry.add<PiecewiseLinear>();
   registry.add<RadialFunctions>();
   registry.add<RealPowers>();
+  registry.add<SumOfBases>({.first = Monomials{}, .second = Fourier{}});
+  registry.add<ProductOfBases>(
+      {.first = Monomials{{.max_degree = 1}}, .second = Fourier{{.harmonics = 1}}});
   registry.add<FiniteDifferences>();
   registry.add<SavitzkyGolay>();
   registry.add<SmoothingSpline>();
   registry.add<Whittaker>();
+  registry.add<TrendFilter>();
   registry.add<KalmanSmoother>();
   registry.add<LocalPolynomial>();
   registry.add<Spectral>();
@@ -86,6 +93,7 @@ void add_formulations(Registry& registry) {
 void add_selection(Registry& registry) {
   registry.add<Abm>();
   registry.add<SvdFilter>();
+  registry.add<Vca>();
   registry.add<NoFilter>();
   registry.add<MinorTerms>();
   registry.add<SequentialThresholding>();

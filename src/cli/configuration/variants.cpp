@@ -8,18 +8,21 @@ namespace {
 
 using StagePointer = std::shared_ptr<const StageInterface>;
 
-/// Lets plain options be and hands every stage inside a stage to a function.
+/// Lets plain options be and hands every stage inside a stage to a function, but for those of its
+/// own kind: bases of bases have no end.
 class NestedVisitor final : public IdleVisitor {
  public:
   using Visit = std::function<void(std::string_view kind, StagePointer& stage)>;
-  explicit NestedVisitor(Visit visit) : visit_(std::move(visit)) {}
+  NestedVisitor(std::string_view outer, Visit visit)
+      : outer_(outer), visit_(std::move(visit)) {}
 
  protected:
   void nested_stage(const FieldInfo&, std::string_view kind, StagePointer& stage) override {
-    visit_(kind, stage);
+    if (kind != outer_) visit_(kind, stage);
   }
 
  private:
+  std::string_view outer_;
   Visit visit_;
 };
 
@@ -33,7 +36,7 @@ struct Filling {
 std::vector<std::string> nested_kinds(const RegistryEntry& entry) {
   std::vector<std::string> kinds;
   NestedVisitor visitor(
-      [&](std::string_view kind, StagePointer&) { kinds.emplace_back(kind); });
+      entry.kind, [&](std::string_view kind, StagePointer&) { kinds.emplace_back(kind); });
   entry.make(visitor);
   return kinds;
 }
@@ -61,8 +64,9 @@ StageVariant make_variant(const RegistryEntry& entry, const Filling& filling) {
   if (variant.unavailable.empty()) variant.unavailable = filling.unavailable;
   if (!variant.unavailable.empty()) return variant;
   std::size_t next = 0;
-  NestedVisitor visitor(
-      [&](std::string_view, StagePointer& stage) { stage = filling.stages[next++]; });
+  NestedVisitor visitor(entry.kind, [&](std::string_view, StagePointer& stage) {
+    stage = filling.stages[next++];
+  });
   variant.stage = entry.make(visitor);
   return variant;
 }

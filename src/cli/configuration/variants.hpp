@@ -18,7 +18,8 @@ struct StageVariant {
 };
 
 /// Every registered part of a kind with default options; where an option is itself a stage,
-/// once for each registered stage of that kind. In the order of the registry.
+/// once for each registered stage of that kind, unless that is the part's own kind. In the order
+/// of the registry.
 /// @throws ConfigError when there is no such kind.
 std::vector<StageVariant> variants(const Registry& registry, std::string_view kind);
 

@@ -64,10 +64,8 @@ double predicted_error(const Stage<Differentiator>& method, const Dataset& part,
 /// 1/sqrt(512), 5 per cent.
 Dataset short_middle(const Dataset& data) {
   constexpr Index kMost = 1024;
-  Dataset part = middle_of(data);
+  Dataset part = middle_of(data, kMost);
   Trajectory& record = part.trajectories[0];
-  const Index count = std::min(record.samples(), kMost);
-  record = rows_of(record, (record.samples() - count) / 2, count);
   record.derivatives.resize(0, 0);
   record.marks.resize(0, 0);
   return part;

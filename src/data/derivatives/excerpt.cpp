@@ -8,9 +8,9 @@
 
 namespace lacuna {
 
-Dataset middle_of(const Dataset& data) {
+Dataset middle_of(const Dataset& data, Index most) {
   const Trajectory& record = longest_record(data);
-  const Index count = std::min<Index>(record.samples(), 4096);
+  const Index count = std::min(record.samples(), most);
   Dataset part;
   part.states = data.states;
   part.trajectories = {rows_of(record, (record.samples() - count) / 2, count)};

@@ -5,9 +5,9 @@
 
 namespace lacuna {
 
-/// The middle of the longest record, from which open parameters are chosen: so many samples
-/// determine mean squares to two per cent.
-Dataset middle_of(const Dataset& data);
+/// The middle of the longest record, from which open parameters are chosen. A decision: 4096
+/// samples determine mean squares to two per cent. @param most of its samples.
+Dataset middle_of(const Dataset& data, Index most = 4096);
 
 /// A dataset of one record without inputs.
 Dataset dataset_of(const Vector& time, const Eigen::Ref<const Matrix>& values);

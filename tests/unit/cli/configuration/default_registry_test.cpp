@@ -16,12 +16,12 @@ void expect_names(const std::string& kind, const std::vector<std::string>& expec
 
 TEST(DefaultRegistry, HasThePartsOfTheFirstShelf) {
   expect_names("basis", {"monomials", "expressions", "chebyshev", "legendre", "hermite", "radial",
-                         "piecewise-linear", "real-powers"});
+                         "piecewise-linear", "real-powers", "sum", "product"});
   expect_names("formulation", {"strong"});
   expect_names("differentiator",
                {"finite-differences", "savitzky-golay", "smoothing-spline", "whittaker", "kalman",
-                "local-polynomial", "spectral", "auto"});
-  expect_names("filter", {"abm", "svd", "none"});
+                "trend-filter", "local-polynomial", "spectral", "auto"});
+  expect_names("filter", {"abm", "svd", "vca", "none"});
   expect_names("regressor", {"ols", "irls", "irls-l1", "stlsq"});
   expect_names("l1-solver", {"coordinate-descent", "ceres", "nlopt"});
   expect_names("pruner", {"minor-terms", "sequential-thresholding", "information-criterion",

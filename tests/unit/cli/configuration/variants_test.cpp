@@ -35,6 +35,13 @@ TEST(Variants, NestedStagesAppearOncePerRegisteredInnerStage) {
   EXPECT_EQ(find(all, "irls-l1"), nullptr);
 }
 
+TEST(Variants, StagesOfTheirOwnKindStayAsTheyAre) {
+  const auto all = variants(default_registry(), "basis");
+  ASSERT_NE(find(all, "sum"), nullptr);
+  EXPECT_TRUE(find(all, "sum")->unavailable.empty());
+  EXPECT_EQ(all.size(), default_registry().names("basis").size());
+}
+
 TEST(Variants, HaveAStageUnlessTheySayWhyNot) {
   ASSERT_FALSE(default_registry().kinds().empty());
   for (const std::string& kind : default_registry().kinds())
