@@ -35,17 +35,34 @@ double known_noise(const Channel& channel) {
 }
 
 /// Fraction of an input's variance that a linear function of the states has.
-double fraction_of_states(const Dataset& data, Index input) {
-  const Vector u = values_of(data, &Trajectory::inputs, input);
-  Matrix states(u.size(), data.state_count());
-  for (Index k = 0; k < states.cols(); ++k) {
-    states.col(k) = values_of(data, &Trajectory::states, k);
-    states.col(k).array() -= states.col(k).mean();
-    if (states.col(k).norm() > 0.0) states.col(k).normalize();
-  }
-  const Vector moved = u.array() - u.mean();
-  const Vector rest = moved - states * least_squares(states, moved);
+double fraction_of_states(const Matrix& states, const Vector& input) {
+  Matrix columns = states.rowwise() - states.colwise().mean();
+  for (Index k = 0; k < columns.cols(); ++k)
+    if (columns.col(k).norm() > 0.0) columns.col(k).normalize();
+  const Vector moved = input.array() - input.mean();
+  const Vector rest = moved - columns * least_squares(columns, moved);
   return 1.0 - rest.squaredNorm() / moved.squaredNorm();
+}
+
+Matrix states_of(const Dataset& data) {
+  Matrix states(data.samples(), data.state_count());
+  for (Index k = 0; k < states.cols(); ++k)
+    states.col(k) = values_of(data, &Trajectory::states, k);
+  return states;
+}
+
+Matrix increments(const Matrix& values) {
+  return values.bottomRows(values.rows() - 1) - values.topRows(values.rows() - 1);
+}
+
+/// Whether an input answers the states and not they it: from one sample to the next it moves with
+/// them. What an input that jumps and then holds does to the states shows at the next sample only,
+/// however fast they are. Seams of records are a few rows among all.
+bool answers_states(const Matrix& states, const Vector& input, double significance) {
+  const Matrix moves = increments(input);
+  const double gain = fraction_of_states(increments(states), moves.col(0));
+  return sigma_of_gain(static_cast<double>(moves.rows()) * gain,
+                       static_cast<double>(states.cols()), 1.0) >= significance;
 }
 
 bool is_still_input(const Dataset& data, Index input) {
@@ -55,6 +72,7 @@ bool is_still_input(const Dataset& data, Index input) {
 
 void add_input_hints(const OdeModel& model, const Dataset& data, const HintOptions& options,
                      std::vector<Hint>& hints) {
+  const Matrix states = states_of(data);
   for (Index j = 0; j < data.input_count(); ++j) {
     const std::string& name = model.inputs()[static_cast<std::size_t>(j)].name;
     const Vector u = values_of(data, &Trajectory::inputs, j);
@@ -66,8 +84,10 @@ void add_input_hints(const OdeModel& model, const Dataset& data, const HintOptio
            "use a record in which " + name + " moves"});
       continue;
     }
-    const double fraction = fraction_of_states(data, j);
-    if (fraction < options.feedback || fraction >= 1.0 + 1e-9) continue;
+    const double fraction = fraction_of_states(states, u);
+    if (!(fraction >= options.feedback && fraction < 1.0 + 1e-9) ||
+        !answers_states(states, u, options.significance))
+      continue;
     hints.push_back(
         {HintKind::ClosedLoop,
          "the input " + name + " follows the states (" + format_number(100.0 * fraction, 3) +

@@ -41,6 +41,23 @@ TEST(MotionHints, TellAnInputThatFollowsTheStates) {
               ::testing::ElementsAre(HintKind::ClosedLoop, HintKind::NotIdentifiable));
 }
 
+TEST(MotionHints, StatesThatFollowAnInputAreNoFeedback) {
+  Dataset data = good();
+  Trajectory& record = data.trajectories[0];
+  Random random(5);
+  double level = 0.0;
+  for (Index i = 0; i < record.samples(); ++i) {
+    record.states(i, 0) = 0.5 * level + 0.01 * random.normal();  // of the step before
+    record.states(i, 1) = -level + 0.01 * random.normal();
+    if (i % 40 == 0) level = random.normal();
+    record.inputs(i, 0) = level;
+  }
+  EXPECT_THAT(kinds_of(data), ::testing::Not(::testing::Contains(HintKind::ClosedLoop)));
+  for (Index i = 1; i < record.samples(); ++i)
+    record.inputs(i, 0) = -record.states(i, 1) + 0.01 * random.normal();
+  EXPECT_THAT(kinds_of(data), ::testing::Contains(HintKind::ClosedLoop));
+}
+
 TEST(MotionHints, TellWhatDoesNotMove) {
   Dataset data = good();
   data.trajectories[0].inputs.setConstant(0.7);
