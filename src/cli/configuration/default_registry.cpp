@@ -158,6 +158,7 @@ void add_diagnosis(Registry& registry) {
   registry.add<SensorCalibration>();
   registry.add<InputSkew>();
   registry.add<InputInterpolation>();
+  registry.add<InputSmoothing>();
   registry.add<ResidualFunction>();
   registry.add<SharedProcess>();
 }

@@ -51,6 +51,25 @@ Baseline corrected_baseline(const Problem& problem, const Baseline& base,
   return next;
 }
 
+Proposals proposed_correction(const Problem& problem, const CompositeModel& best,
+                              std::string_view hypothesis, const InputCorrection& correct,
+                              const std::string& note) {
+  const Baseline& base = *best.base;
+  if (!base.fit_options.hidden.empty() || !is_anything_missing(problem, best)) return {};
+  for (const std::vector<FittedEffect>& effects : first_effects(best)) {
+    const double deviance = corrected_deviance(problem, base, correct, effects);
+    if (!(lead_over(problem, best, effects, deviance, 0.0) > 0.0)) continue;
+    Baseline corrected = corrected_baseline(problem, base, correct, 0.0);
+    corrected.notes.push_back(note);
+    CompositeModel composite =
+        bare_composite(problem, std::string(hypothesis),
+                       std::make_shared<const Baseline>(std::move(corrected)));
+    composite.findings = best.findings;
+    return {{{.composite = std::move(composite), .search_first = true}}, {}};
+  }
+  return {};
+}
+
 std::vector<std::vector<FittedEffect>> first_effects(const CompositeModel& composite) {
   std::vector<std::vector<FittedEffect>> first{{}};
   for (const FittedEffect& effect : composite.explanation.effects) {

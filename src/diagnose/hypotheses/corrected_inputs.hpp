@@ -4,9 +4,12 @@
 
 #include <functional>
 #include <optional>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "lacuna/diagnose/hypotheses/composite_model.hpp"
+#include "lacuna/diagnose/hypotheses/hypothesis.hpp"
 
 namespace lacuna {
 
@@ -31,6 +34,14 @@ double lead_over(const Problem& problem, const CompositeModel& best,
 /// @param parameters that the correction took.
 Baseline corrected_baseline(const Problem& problem, const Baseline& base,
                             const InputCorrection& correct, double parameters);
+
+/// The nominal model on corrected records, for a search of its own: proposed where it, with
+/// nothing or with the first effects of the best composite model, does better than that one.
+/// Nothing where nothing is missing, or where states were not measured.
+/// @param hypothesis that proposes it; @param note on the correction, for people.
+Proposals proposed_correction(const Problem& problem, const CompositeModel& best,
+                              std::string_view hypothesis, const InputCorrection& correct,
+                              const std::string& note);
 
 /// Effects of a composite model from none to all, in the order in which they came: those that
 /// are real came first, and what follows may be there for want of the correction.

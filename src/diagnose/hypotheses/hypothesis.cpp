@@ -17,8 +17,8 @@ namespace lacuna {
 std::vector<Stage<Hypothesis>> standard_hypotheses() {
   return in_order({NamedEffects{}, OtherChoices{}, SensorTiming{}, SensorFault{},
                    UnmeasuredInput{}, ColouredNoiseHypothesis{}, BrokenIdentity{},
-                   SensorCalibration{}, InputSkew{}, InputInterpolation{}, ResidualFunction{},
-                   SharedProcess{}});
+                   SensorCalibration{}, InputSkew{}, InputInterpolation{}, InputSmoothing{},
+                   ResidualFunction{}, SharedProcess{}});
 }
 
 std::vector<Stage<Hypothesis>> in_order(std::vector<Stage<Hypothesis>> hypotheses) {

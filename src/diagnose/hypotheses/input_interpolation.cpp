@@ -54,22 +54,10 @@ std::string note_on(const Problem& problem, const std::vector<Index>& inputs) {
 
 Proposals InputInterpolation::do_propose(const Problem& problem,
                                          const CompositeModel& best) const {
-  const Baseline& base = *best.base;
-  if (!base.fit_options.hidden.empty() || !is_anything_missing(problem, best)) return {};
-  const std::vector<Index> inputs = interpolated_inputs(base.records->data);
+  const std::vector<Index> inputs = interpolated_inputs(best.base->records->data);
   if (inputs.empty()) return {};
   problem.context.report("inputs that were recorded seldom", 0.0);
-  for (const std::vector<FittedEffect>& effects : first_effects(best)) {
-    const double deviance = corrected_deviance(problem, base, smoothed, effects);
-    if (!(lead_over(problem, best, effects, deviance, 0.0) > 0.0)) continue;
-    Baseline smooth = corrected_baseline(problem, base, smoothed, 0.0);
-    smooth.notes.push_back(note_on(problem, inputs));
-    CompositeModel composite = bare_composite(
-        problem, std::string(info().name), std::make_shared<const Baseline>(std::move(smooth)));
-    composite.findings = best.findings;
-    return {{{.composite = std::move(composite), .search_first = true}}, {}};
-  }
-  return {};
+  return proposed_correction(problem, best, info().name, smoothed, note_on(problem, inputs));
 }
 
 }  // namespace lacuna

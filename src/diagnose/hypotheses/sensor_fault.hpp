@@ -110,4 +110,22 @@ class InputInterpolation final : public Configured<Hypothesis, NoOptions<kInputI
   Proposals do_propose(const Problem& problem, const CompositeModel& best) const override;
 };
 
+inline constexpr StageInfo kInputSmoothing{
+    "input-smoothing", "The noise with which an input was measured does not act", ""};
+
+/// An input whose samples show white noise (noise_of_inputs()) acts without it where the noise is
+/// that of its measurement. To a model that takes it as it is, plays and lags of the input that
+/// swallow the noise explain the records better than nothing. In their place the trends of such
+/// inputs are tried (levels with jumps or lines with bends, whichever has the lower C_p, see
+/// choose_trend()); it is proposed as an InputSkew is.
+class InputSmoothing final : public Configured<Hypothesis, NoOptions<kInputSmoothing>> {
+ public:
+  using Configured::Configured;
+
+ private:
+  Phase do_phase() const override { return Phase::Assumptions; }
+  int do_order() const override { return 1; }
+  Proposals do_propose(const Problem& problem, const CompositeModel& best) const override;
+};
+
 }  // namespace lacuna

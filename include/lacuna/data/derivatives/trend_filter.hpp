@@ -36,10 +36,8 @@ struct TrendFilterOptions {
 /// sigma the noise of the state (estimate_noise()), h the mean step, D^d z as in Whittaker. Where
 /// a signal is smooth but for some instants, a sum of absolute values leaves the instants as they
 /// are, where a sum of squares rounds them off. Derivatives are differences of fourth order of z.
-/// One lambda for all states and records: the largest whose C_p = RSS / sigma^2 + 2 (knots + d)
-/// (Mallows 1973; degrees of freedom: R. J. Tibshirani & J. Taylor, Ann. Stat. 40 (2012)
-/// 1198-1232) is the least but for chance. Samples without noise stay as they are. It knows no
-/// standard error.
+/// One lambda for all states and records, by Mallows' C_p (see choose_trend()). Samples without
+/// noise stay as they are. It knows no standard error.
 class TrendFilter final : public Configured<Differentiator, TrendFilterOptions> {
  public:
   using Configured::Configured;

@@ -21,7 +21,8 @@ TEST(HypothesisOrder, PhaseComesFirstThenTheOrderInIt) {
             (std::vector<std::string>{
                 "named-effects", "other-choices", "sensor-timing", "sensor-fault",
                 "sensor-calibration", "shared-process", "unmeasured-input", "coloured-noise",
-                "broken-identity", "input-interpolation", "input-skew", "residual-function"}));
+                "broken-identity", "input-interpolation", "input-smoothing", "input-skew",
+                "residual-function"}));
 }
 
 TEST(HypothesisOrder, DoesNotDependOnTheOrderInWhichTheyAreGiven) {
