@@ -117,7 +117,7 @@ std::optional<Assimilation> from_fitted_start(const Problem& problem,
 std::shared_ptr<SearchMemory> new_search_memory() { return std::make_shared<SearchMemory>(); }
 
 Baseline plain_baseline(const Problem& problem) {
-  const auto& [nominal, records, options, context, memory] = problem;
+  const auto& [nominal, records, options, context, memory, fewer] = problem;
   context.report("bringing the model onto the records", 0.0);
   AssimilationOptions as_given;
   as_given.hidden = hidden_states(nominal, records.data);
@@ -144,7 +144,7 @@ Baseline plain_baseline(const Problem& problem) {
 
 Baseline fitted_baseline(const Problem& problem, Assimilation given,
                          std::vector<CoefficientPlace> free) {
-  const auto& [nominal, records, options, context, memory] = problem;
+  const auto& [nominal, records, options, context, memory, fewer] = problem;
   const Dataset& data = records.data;
   context.report("fitting the nominal coefficients", 0.0);
   AssimilationOptions fit_options;
@@ -181,7 +181,8 @@ Baseline fitted_baseline(const Problem& problem, Assimilation given,
 }
 
 Problem alone(const Problem& problem, const RunContext& quiet) {
-  return {problem.nominal, problem.records, problem.options, quiet, problem.memory};
+  return {problem.nominal, problem.records, problem.options,
+          quiet,           problem.memory,  problem.fewer_than};
 }
 
 double criterion_of(const Problem& problem, const Baseline& base,

@@ -135,7 +135,7 @@ ChosenHolds shown_holds(const Problem& problem) {
 }
 
 ChosenHolds choose_holds(const Problem& problem) {
-  const auto& [nominal, records, options, context, memory] = problem;
+  const auto& [nominal, records, options, context, memory, fewer] = problem;
   ChosenHolds chosen{nominal};
   Holds holds;
   std::vector<Index> unknown;
@@ -207,13 +207,14 @@ std::vector<OdeModel> better_holds(const Problem& problem, const CompositeModel&
 
 }  // namespace
 
-std::vector<OdeModel> rival_holds(const Problem& problem, const std::vector<OpenInput>& open,
-                                  const CompositeModel& best) {
-  std::vector<OdeModel> rivals;
+RivalHolds rival_holds(const Problem& problem, const std::vector<OpenInput>& open,
+                       const CompositeModel& best) {
+  RivalHolds rivals;
   const std::vector<FittedEffect>& effects = best.explanation.effects;
   const DecisionOptions& decision = problem.options.decision;
   if (open.empty() || effects.empty()) return rivals;
   const bool complete = needs_no_disturbance(problem, best);
+  if (complete) rivals.fewer_than = best.explanation.parameters();
   const double explained = best.base->fitted.deviance - best.explanation.fit.deviance;
   for (const auto& [input, second, lead] : open) {
     const std::string& name = problem.nominal.inputs()[static_cast<std::size_t>(input)].name;
@@ -232,7 +233,7 @@ std::vector<OdeModel> rival_holds(const Problem& problem, const std::vector<Open
     if (!better.empty() && hold == shown_hold(problem.records.data, input) &&
         is_recorded_late(problem, best, input))
       continue;  // its samples are at other times, which half a step of a hold does not mend
-    std::move(better.begin(), better.end(), std::back_inserter(rivals));
+    std::move(better.begin(), better.end(), std::back_inserter(rivals.models));
   }
   return rivals;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -34,6 +35,14 @@ ChosenHolds choose_holds(const Problem& problem);
 /// The same by what the samples show by themselves, without comparing.
 ChosenHolds shown_holds(const Problem& problem);
 
+/// Models that may explain records better than the best so far.
+struct RivalHolds {
+  std::vector<OdeModel> models = {};
+  /// Where the best needs no disturbance nothing is left that others could explain beyond it:
+  /// they are better only if their effects have fewer parameters than this, than its effects.
+  std::optional<Index> fewer_than = {};
+};
+
 /// Models with another hold of an open input under which effects should be sought anew. None
 /// without effects; else those under which the effects that were found fit decidedly better. A
 /// wrong hold makes effects necessary that the right one does without, so also
@@ -47,8 +56,8 @@ ChosenHolds shown_holds(const Problem& problem);
 ///   has anything left to explain.
 /// None of an input with the hold that its samples show, where it is recorded late (InputSkew).
 /// @param problem its model has the chosen holds.
-std::vector<OdeModel> rival_holds(const Problem& problem, const std::vector<OpenInput>& open,
-                                  const CompositeModel& best);
+RivalHolds rival_holds(const Problem& problem, const std::vector<OpenInput>& open,
+                       const CompositeModel& best);
 
 /// What is assumed of inputs that are not smooth, for people: "u is held from sample to
 /// sample".

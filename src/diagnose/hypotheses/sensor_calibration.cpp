@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -9,6 +10,7 @@
 #include "core/base/parallel.hpp"
 #include "core/statistics/significance.hpp"
 #include "diagnose/candidates/screening.hpp"
+#include "diagnose/hypotheses/rough_fits.hpp"
 #include "diagnose/hypotheses/sensor_fault.hpp"
 #include "diagnose/search/effect_names.hpp"
 
@@ -16,7 +18,7 @@ namespace lacuna {
 namespace {
 
 /// A channel's form, and effects that act beside it.
-using Start = std::vector<FittedEffect>;
+using Effects = std::vector<FittedEffect>;
 
 /// A channel with a form, fitted with the nominal coefficients as given.
 struct Fitted {
@@ -116,46 +118,79 @@ Vector middle(const std::vector<ShapeParameter>& shapes) {
 /// so beside hidden states, of which it would be one more.
 /// @param explained deviance that the best composite model explains: a channel has to show more
 /// than a minor part of it at first sight.
-std::vector<Start> worth_fitting(const std::vector<ScreenedCandidate>& screened,
-                                 double explained, const Baseline& given,
-                                 const DecisionOptions& decision) {
+std::vector<Effects> worth_fitting(const std::vector<ScreenedCandidate>& screened,
+                                   double explained, const Baseline& given,
+                                   const DecisionOptions& decision) {
   const auto tried = static_cast<double>(screened.size());
-  std::vector<Start> starts;
+  std::vector<Effects> channels;
   for (const ScreenedCandidate& one : screened) {
     const double freedom = 1.0 + static_cast<double>(one.shapes.size());
-    if (static_cast<int>(starts.size()) < decision.rough_fits &&
+    if (static_cast<int>(channels.size()) < decision.rough_fits &&
         sigma_of_gain(one.gain, freedom, tried) >= decision.significance &&
         one.gain >= decision.worth_fitting * screened.front().gain &&
         one.gain >= decision.minor * explained)
-      starts.push_back({{one.candidate, one.shapes, one.coefficient, 0.0}});
+      channels.push_back({{one.candidate, one.shapes, one.coefficient, 0.0}});
   }
-  if (!given.fit_options.hidden.empty()) return starts;
+  if (!given.fit_options.hidden.empty()) return channels;
   for (const ScreenedCandidate& one : screened)
     if (!one.candidate.memory.empty())
-      starts.push_back({{one.candidate, middle(one.candidate.shapes), 1.0, 0.0}});
-  return starts;
+      channels.push_back({{one.candidate, middle(one.candidate.shapes), 1.0, 0.0}});
+  return channels;
 }
 
-std::vector<std::optional<Explanation>> explain_all(const Problem& problem,
-                                                    const Baseline& given,
-                                                    const std::vector<Start>& starts) {
-  const RunContext& context = problem.context;
-  const RunContext quiet = context.beside_others();
-  const Problem alone{problem.nominal, problem.records, problem.options, quiet};
-  std::vector<std::optional<Explanation>> found(starts.size());
-  parallel_for(starts.size(), context.threads, [&](std::size_t i) {
-    found[i] = explain_on(alone, given, given.fitted, starts[i]);
+bool is_again(const Effects& effects, const std::vector<Explanation>& among) {
+  return std::any_of(among.begin(), among.end(), [&](const Explanation& other) {
+    return std::equal(effects.begin(), effects.end(), other.effects.begin(),
+                      [](const FittedEffect& a, const FittedEffect& b) {
+                        return are_one_form(a.candidate, b.candidate);
+                      });
   });
-  return found;
+}
+
+/// Of the channels those that come farthest in rough fits, each once. Those with shapes, which
+/// rough fits do not move, are compared with their like; beside effects shapes have been fitted
+/// before.
+std::vector<Explanation> best_roughly(const Problem& problem, const Baseline& given,
+                                      const std::vector<Effects>& channels) {
+  std::vector<FitStart> starts;
+  for (const Effects& effects : channels) starts.push_back({effects, &given.fitted});
+  std::vector<Explanation> best;
+  const int most = problem.options.decision.exact_fits;
+  std::array<int, 2> left{most, most};
+  for (Explanation& rough : rough_fits(problem, given, starts)) {
+    const bool moves = rough.effects.size() == 1 && rough.effects.front().shapes.size() > 0;
+    int& room = left[moves ? 1 : 0];
+    if (room == 0 || is_again(rough.effects, best)) continue;
+    best.push_back(std::move(rough));
+    --room;
+  }
+  return best;
+}
+
+/// The best of the channels fitted exactly: all, where these are no more than that many.
+std::vector<Explanation> explain_best(const Problem& problem, const Baseline& given,
+                                      const std::vector<Effects>& channels) {
+  const auto most = static_cast<std::size_t>(problem.options.decision.exact_fits);
+  const bool all = channels.size() <= most;
+  std::vector<Explanation> best;
+  if (!all) best = best_roughly(problem, given, channels);
+  if (all)
+    for (const Effects& effects : channels) best.push_back({effects, given.fitted});
+  const RunContext quiet = problem.context.beside_others();
+  const Problem each = alone(problem, quiet);
+  parallel_for(best.size(), problem.context.threads, [&](std::size_t i) {
+    best[i] = all ? explain_on(each, given, given.fitted, channels[i])
+                  : explain_further_on(each, given, best[i]);
+  });
+  return best;
 }
 
 /// The channels that may be it, fitted; the best first.
 std::vector<Fitted> fitted_channels(const Problem& problem, const Baseline& given,
-                                    const std::vector<Start>& starts) {
+                                    const std::vector<Effects>& channels) {
   const DecisionOptions& decision = problem.options.decision;
   std::vector<Fitted> fitted;
-  for (std::optional<Explanation>& one : explain_all(problem, given, starts)) {
-    Explanation& found = *one;
+  for (Explanation& found : explain_best(problem, given, channels)) {
     const FittedEffect& effect = found.effects.front();
     if (!std::isfinite(found.fit.deviance) || !is_plausible(effect, decision) ||
         !is_sizeable(effect, found.fit, given, decision) ||
@@ -187,12 +222,12 @@ std::vector<Fitted> beside_effects(const Problem& problem, const Baseline& given
                                    const CompositeModel& best,
                                    const std::vector<Fitted>& channels) {
   const auto most = static_cast<std::size_t>(problem.options.decision.exact_fits);
-  std::vector<Start> starts;
+  std::vector<Effects> pairs;
   for (std::size_t i = 0; i < std::min(most, channels.size()); ++i)
     for (const FittedEffect& effect : best.explanation.effects)
       if (effect.candidate.place == Place::Rate && !effect.candidate.is_driven())
-        starts.push_back({channels[i].explanation.effects.front(), effect});
-  return fitted_channels(problem, given, starts);
+        pairs.push_back({channels[i].explanation.effects.front(), effect});
+  return fitted_channels(problem, given, pairs);
 }
 
 /// A rival that leaves the other coefficients as given.

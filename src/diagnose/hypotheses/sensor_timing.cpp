@@ -10,6 +10,7 @@
 #include "channel_forms.hpp"
 #include "core/statistics/significance.hpp"
 #include "diagnose/hypotheses/input_noise.hpp"
+#include "diagnose/hypotheses/rough_fits.hpp"
 #include "diagnose/hypotheses/sensor_fault.hpp"
 #include "diagnose/search/effect_names.hpp"
 #include "forms/candidate/nesting.hpp"
@@ -138,12 +139,6 @@ class SensorSearch {
     return judged(explain_on(problem_, base_, from, all), sensors.size());
   }
 
-  /// Where a fit with one sensor more begins.
-  struct Start {
-    double tau = 0.0;
-    const Assimilation* from = nullptr;
-  };
-
   /// The sensors before with one more behind them, then what is beside them.
   Effects with_sensor(const LateSensors& before, const Candidate& form, double tau) const {
     const auto split =
@@ -157,9 +152,10 @@ class SensorSearch {
     return all;
   }
 
-  LateSensors with_form(const LateSensors& before, const Candidate& form, const Start& start) {
+  LateSensors with_form(const LateSensors& before, const Candidate& form, double tau,
+                        const Assimilation& from) {
     ++tried_;
-    return judged(explain_on(problem_, base_, *start.from, with_sensor(before, form, start.tau)),
+    return judged(explain_on(problem_, base_, from, with_sensor(before, form, tau)),
                   before.sensors + 1);
   }
 
@@ -171,24 +167,18 @@ class SensorSearch {
     });
   }
 
-  /// The starts from which a rough fit comes farthest, and that fit; without those that fail.
-  std::vector<LateSensors> best_starts(const LateSensors& before, const Candidate& form,
-                                       const std::vector<Start>& starts) {
+  /// Fits from the starts from which rough ones come farthest.
+  std::vector<LateSensors> from_best_starts(const LateSensors& before,
+                                            const std::vector<FitStart>& starts) {
     constexpr std::size_t kExactFits = 2;  // a fact of the search: neighbours of the best time
-    std::vector<LateSensors> rough;
-    for (const Start& start : starts) {
-      ++tried_;
-      rough.push_back(judged(explain_roughly_on(problem_, base_, *start.from,
-                                                with_sensor(before, form, start.tau)),
-                             before.sensors + 1));
+    tried_ += static_cast<Index>(starts.size());
+    std::vector<LateSensors> exact;
+    for (const Explanation& rough : rough_fits(problem_, base_, starts)) {
+      if (exact.size() == kExactFits) break;
+      exact.push_back(
+          judged(explain_further_on(problem_, base_, rough), before.sensors + 1));
     }
-    std::erase_if(rough, [](const LateSensors& one) { return !std::isfinite(one.criterion); });
-    std::stable_sort(
-        rough.begin(), rough.end(),
-        [](const LateSensors& a, const LateSensors& b) { return a.criterion < b.criterion; });
-    const auto kept = static_cast<std::ptrdiff_t>(std::min(kExactFits, rough.size()));
-    rough.erase(rough.begin() + kept, rough.end());
-    return rough;
+    return exact;
   }
 
   /// A filter of first order, the best from several times on; the first sensor also along the
@@ -197,20 +187,19 @@ class SensorSearch {
   std::optional<LateSensors> with_one_filter(const LateSensors& before, const Candidate& form) {
     // Facts of the search: the first of the times, in steps, and their ratio.
     constexpr double kFirstTime = 1.5, kRatioOfTimes = 4.0;
-    std::vector<Start> starts;
+    std::vector<FitStart> starts;
     for (double tau = kFirstTime * base_.scope.step; tau < form.shapes.front().high;
          tau *= kRatioOfTimes)
-      starts.push_back({tau, &before.explanation.fit});
+      starts.push_back({with_sensor(before, form, tau), &before.explanation.fit});
     std::vector<Assimilation> paths;
     paths.reserve(times_.size());  // starts point into it
     if (before.sensors == 0)
       for (const double tau : times_) {
         paths.push_back(before_filters(best_.fit, form.equation, tau, 1));
-        starts.push_back({tau, &paths.back()});
+        starts.push_back({with_sensor(before, form, tau), &paths.back()});
       }
     std::optional<LateSensors> best;
-    for (const LateSensors& one : best_starts(before, form, starts))
-      take_better(judged(explain_further_on(problem_, base_, one.explanation), one.sensors), best);
+    for (LateSensors& one : from_best_starts(before, starts)) take_better(std::move(one), best);
     return best;
   }
 
@@ -228,7 +217,7 @@ class SensorSearch {
       if (!once) continue;
       const FittedEffect& filter = once->explanation.effects[before.sensors];
       const double half = 0.5 * filter.coefficient * filter.shapes[0];
-      LateSensors twice = with_form(before, forms_[f + 1], {half, &once->explanation.fit});
+      LateSensors twice = with_form(before, forms_[f + 1], half, once->explanation.fit);
       take_better(std::move(twice), best);
       take_better(*std::move(once), best);
     }

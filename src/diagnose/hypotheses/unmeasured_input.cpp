@@ -44,7 +44,7 @@ std::optional<Candidate> input_candidate(const Search& search) {
 /// The most likely of some memories, with its deviance.
 std::pair<Vector, double> likeliest(const Search& search, const Candidate& candidate,
                                     const std::vector<Vector>& memories) {
-  const auto& [nominal, records, options, context, memory] = search.problem;
+  const auto& [nominal, records, options, context, memory, fewer] = search.problem;
   context.report("fitting an input that was not measured", 0.0);
   const RunContext quiet = context.beside_others();
   const Problem alone{nominal, records, options, quiet};

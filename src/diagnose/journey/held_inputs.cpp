@@ -2,6 +2,8 @@
 #include "held_inputs.hpp"
 
 #include <iterator>
+#include <optional>
+#include <string>
 #include <utility>
 
 #include "diagnose/hypotheses/input_holds.hpp"
@@ -15,7 +17,8 @@ using Hypotheses = std::vector<Stage<Hypothesis>>;
 JudgedModel judged_with(const Problem& asked, OdeModel model, const Hypotheses& hypotheses,
                         const RunContext& fitting) {
   auto nominal = std::make_shared<const OdeModel>(std::move(model));
-  const Problem problem{*nominal, asked.records, asked.options, asked.context, asked.memory};
+  const Problem problem{*nominal,      asked.records, asked.options,
+                        asked.context, asked.memory,  asked.fewer_than};
   const Problem needed{*nominal, asked.records, asked.options, fitting, asked.memory};
   Judged judged = first_composite(problem, hypotheses, plain_baseline(needed));
   return {std::move(nominal), std::move(judged)};
@@ -43,25 +46,36 @@ bool is_less_plain(const CompositeModel& one, const CompositeModel& other,
 
 namespace {
 
+/// Why a composite model under another hold is not taken, where the criterion alone does not say.
+std::string rule_against(bool is_better, const std::optional<Index>& fewer_than) {
+  if (is_better) return "more effects, and with fewer nothing is left";
+  if (!fewer_than) return "";
+  return "bounded: nothing is left to explain, so that only effects with fewer than " +
+         std::to_string(*fewer_than) + " parameters were sought";
+}
+
 /// Judges the model under other holds of its inputs than those of the best so far.
 void judge_rival_holds(const Problem& problem, const Hypotheses& hypotheses,
                        const std::vector<OpenInput>& open, JudgedModel& best,
                        std::vector<Rival>& trail) {
   const Problem first{*best.model, problem.records, problem.options, problem.context,
                       problem.memory};
-  for (OdeModel& model : rival_holds(first, open, best.judged.best)) {
-    JudgedModel other = judged_with(problem, std::move(model), hypotheses, problem.context);
+  RivalHolds rivals = rival_holds(first, open, best.judged.best);
+  Problem bounded = problem;
+  bounded.fewer_than = rivals.fewer_than;
+  for (OdeModel& model : rivals.models) {
+    JudgedModel other = judged_with(bounded, std::move(model), hypotheses, problem.context);
     if (problem.context.is_late()) return;  // it was not judged to its end
     const double value = criterion_of(problem, other.judged.best);
     const double least = criterion_of(problem, best.judged.best);
     const std::vector<std::string> notes = notes_on_holds(*other.model, open);
-    const bool more =
-        is_less_plain(other.judged.best, best.judged.best, problem.options.decision);
-    const bool taken = value < least && !more;
+    const bool taken =
+        value < least &&
+        !is_less_plain(other.judged.best, best.judged.best, problem.options.decision);
     trail.push_back(
         {"input-hold", notes.empty() ? "inputs are smooth" : notes.front(), value, taken,
          std::string(problem.options.criterion->info().name), value, least,
-         value < least && more ? "more effects, and with fewer nothing is left" : ""});
+         taken ? std::string() : rule_against(value < least, rivals.fewer_than)});
     if (!taken) continue;
     other.judged.stages = std::move(best.judged.stages);
     best = std::move(other);

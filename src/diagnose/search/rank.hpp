@@ -23,6 +23,11 @@ struct EffectSearch {
 
   /// What fitted forms are called.
   NameTable names() const { return {effects, base.scope, problem.options.decision.naming}; }
+
+  /// Whether an explanation may have so many parameters more (Problem::fewer_than).
+  bool has_room(const Explanation& current, Index more) const {
+    return !problem.fewer_than || current.parameters() + more < *problem.fewer_than;
+  }
 };
 
 /// One more effect, fitted together with all that were there before.

@@ -330,6 +330,7 @@ bool is_left_in(const std::vector<EquationStructure>& left, const DecisionOption
 bool may_go_on(const EffectSearch& search, const FoundEffects& found) {
   const DecisionOptions& decision = decision_of(search);
   if (static_cast<int>(found.named.size()) >= decision.max_effects) return false;
+  if (!search.has_room(found.explanation, 1)) return false;
   return found.named.empty() || is_left_in(found.left, decision);
 }
 

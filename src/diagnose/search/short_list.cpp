@@ -78,7 +78,8 @@ std::vector<Candidate> all_candidates(const EffectSearch& search, const Explanat
         });
   };
   for (Candidate& candidate : merged(proposed))
-    if (is_searched(candidate, current, scope) && !is_of_still_input(candidate, scope) &&
+    if (search.has_room(current, 1 + static_cast<Index>(candidate.shapes.size())) &&
+        is_searched(candidate, current, scope) && !is_of_still_input(candidate, scope) &&
         !is_shut_out(candidate))
       result.push_back(without_clash(std::move(candidate), taken));
   return result;

@@ -103,7 +103,7 @@ TEST(InputHolds, AreNotDoubtedWithoutEffects) {
   const support::Asked asked{.records = observed(support::held_record(Hold::Zero, 2e-3))};
   CompositeModel composite = asked.bare();
   composite.left = {{.equation = 1, .sigma = 10.0, .relative = 0.1}};
-  EXPECT_TRUE(rival_holds(asked.problem(), {{0, Hold::Smooth, 0.1}}, composite).empty());
+  EXPECT_TRUE(rival_holds(asked.problem(), {{0, Hold::Smooth, 0.1}}, composite).models.empty());
 }
 
 /// Dry friction beside a force that is held.
@@ -127,7 +127,7 @@ class HoldsBesideFriction : public ::testing::Test {
 TEST_F(HoldsBesideFriction, AreJudgedAnew) {
   const auto rivals_under = [&](Hold hold) {
     const CompositeModel composite = composite_under(hold);
-    return rival_holds(asked_.problem(), {{0, Hold::Linear, 1e9}}, composite);
+    return rival_holds(asked_.problem(), {{0, Hold::Linear, 1e9}}, composite).models;
   };
   const auto rivals = rivals_under(Hold::Smooth);
   ASSERT_FALSE(rivals.empty()) << "the held force fits better";
@@ -141,7 +141,7 @@ TEST_F(HoldsBesideFriction, AreSettledByMoreThanTheEffectsExplain) {
   const double explained = composite.base->fitted.deviance - composite.explanation.fit.deviance;
   ASSERT_GT(explained, 100.0);
   const auto rivals_with = [&](double lead) {
-    return rival_holds(asked_.problem(), {{0, Hold::Linear, lead}}, composite);
+    return rival_holds(asked_.problem(), {{0, Hold::Linear, lead}}, composite).models;
   };
   ASSERT_EQ(rivals_with(0.99 * explained).size(), 1u);
   EXPECT_EQ(rivals_with(0.99 * explained).front().inputs()[0].hold, Hold::Linear);
@@ -150,7 +150,16 @@ TEST_F(HoldsBesideFriction, AreSettledByMoreThanTheEffectsExplain) {
 
 TEST_F(HoldsBesideFriction, AreSettledWhereNothingDisturbsTheModel) {
   const CompositeModel composite = composite_under(Hold::Zero);
-  EXPECT_TRUE(rival_holds(asked_.problem(), {{0, Hold::Linear, 0.0}}, composite).empty());
+  const RivalHolds rivals =
+      rival_holds(asked_.problem(), {{0, Hold::Linear, 0.0}}, composite);
+  EXPECT_TRUE(rivals.models.empty());
+  EXPECT_EQ(rivals.fewer_than, 1) << "others would have to do without an effect";
+}
+
+TEST_F(HoldsBesideFriction, AreNotBoundedWhereSomethingDisturbsTheModel) {
+  const CompositeModel composite = composite_under(Hold::Zero, "tanh(v/0.5)");
+  EXPECT_FALSE(
+      rival_holds(asked_.problem(), {{0, Hold::Linear, 0.0}}, composite).fewer_than.has_value());
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -84,6 +85,28 @@ TEST(HeldInputs, AreJudgedAnewWhereSomethingIsLeftBesideTheEffects) {
   EXPECT_EQ(found.judged.best.named[0].name, "lag");
   EXPECT_FALSE(has_residual_structure(found.judged.best.left, asked.options.decision));
   EXPECT_EQ(found.judged.trail.front().hypothesis, "input-hold");
+}
+
+/// With a square of the force nothing disturbs the model, and another hold of the force could
+/// only do with fewer parameters.
+TEST(HeldInputs, AreBoundedWhereNothingIsLeftToExplain) {
+  const auto square = [](double t, double, double) {
+    const double force =
+        std::sin(1.7 * t) + 0.7 * std::sin(2.9 * t + 1.0) + 0.5 * std::sin(0.6 * t);
+    return 0.3 * force * force;
+  };
+  const support::Asked asked{.records = observed(support::hidden_record(square, 0.005)),
+                             .options = diagnosis_options({}, default_registry())};
+  const JudgedModel found = judge_holds(asked.problem(), standard_hypotheses());
+  EXPECT_EQ(found.model->inputs()[0].hold, Hold::Smooth);
+  ASSERT_EQ(found.judged.best.named.size(), 1u);
+  const auto& trail = found.judged.trail;
+  const auto bounded = std::find_if(trail.begin(), trail.end(), [](const Rival& rival) {
+    return rival.hypothesis == "input-hold" && rival.rule.starts_with("bounded");
+  });
+  ASSERT_NE(bounded, trail.end());
+  EXPECT_FALSE(bounded->taken);
+  EXPECT_GT(bounded->value, bounded->threshold);
 }
 
 TEST(HeldInputs, AreNotTakenForMoreEffectsWhereFewerLeaveNothing) {

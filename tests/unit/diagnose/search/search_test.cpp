@@ -56,6 +56,17 @@ TEST_F(Search, WhatOthersHaveFittedChangesNothing) {
   }
 }
 
+TEST_F(Search, EndsWhereMoreParametersCannotBeBetter) {
+  found(dry_and_cubic);
+  Problem problem = asked_.problem();
+  const auto rounds_of = [&](Index fewer_than) {
+    problem.fewer_than = fewer_than;
+    return search_effects({problem, *base_, asked_.options.effects}).rounds.size();
+  };
+  EXPECT_EQ(rounds_of(1), 0u);
+  EXPECT_EQ(rounds_of(2), 1u);
+}
+
 TEST_F(Search, FractionsOfTheDisturbanceThatGoAddUpToMostOfIt) {
   double sum = 0.0;
   for (const NamedEffect& named : found(dry_and_cubic).named) sum += named.gap_closed;

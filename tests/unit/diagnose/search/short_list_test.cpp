@@ -52,6 +52,20 @@ TEST_F(ShortLists, HaveTheBestOfEachFamilyAndNoPathOfTheirOwn) {
                            [](const Listed& one) { return one.start != nullptr; }));
 }
 
+TEST_F(ShortLists, HaveNoFormWithMoreParametersThanMayCount) {
+  Problem bounded = problem_;
+  bounded.fewer_than = 3;
+  const EffectSearch search{bounded, base_, options_.effects};
+  const auto most_shapes = [&](const Explanation& current) {
+    std::size_t most = 0;
+    for (const Listed& one : short_list(search, current).candidates)
+      most = std::max(most, one.screened.candidate.shapes.size());
+    return most;
+  };
+  EXPECT_EQ(most_shapes(bare()), 1u);
+  EXPECT_EQ(most_shapes(with("v^3")), 0u) << "beside an effect with one parameter";
+}
+
 TEST_F(ShortLists, AlongAPathHaveAllFunctionsOfItsArgument) {
   const Explanation wrong = with("v^3");
   search_.along = &wrong;
