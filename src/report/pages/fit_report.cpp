@@ -117,6 +117,7 @@ Json law_json(const NoiseLaw& law) {
   if (law.below) json["below"] = *law.below;
   if (law.above) json["above"] = *law.above;
   return json;
+  if (law.truncated) json["truncated"] = true;
 }
 
 Json quality_json(const std::vector<FitQuality>& channels, Index ahead) {
@@ -276,6 +277,10 @@ std::string law_text(const FitQuality& quality) {
   for (const std::optional<double>& size : {law.constant, law.fraction})
     if (size) text += " " + format_number(*size, 3);
   if (quality.censored > 0)
+  if (law.truncated)
+    text += std::string(" truncated") +
+            (law.below ? " below " + format_number(*law.below, 3) : std::string()) +
+            (law.above ? " above " + format_number(*law.above, 3) : std::string());
     text += " (" + std::to_string(quality.censored) + " values beyond a limit)";
   return text;
 }

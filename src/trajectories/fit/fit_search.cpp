@@ -250,7 +250,7 @@ void try_other_starts(FitEngine& engine, const FitUnknowns& unknowns, const FitP
   const bool guessed = raised(engine, start, 1.0).has_value();
   const auto good = [&] {
     return excess(engine, unknowns, search.best) <= options.good &&
-           (!guessed || are_white(engine, search.best.path.residuals));
+           (!guessed || are_white(engine, whitened(engine, search.best.path)));
   };
   if (good() && !changed_a_sign(search.best.point, start)) return;
   take(minimise(engine, unknowns, start, {}, options.most_iterations, context));
