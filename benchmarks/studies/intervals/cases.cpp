@@ -54,8 +54,9 @@ IntervalCase fitzhugh_nagumo() {
 IntervalCase hindmarsh_rose() {
   return {"hindmarsh-rose",
           "param a = 1 in 0..\nparam b = 3 in 0..\nparam c = 1 in 0..\nparam d = 5 in 0..\n"
-          "dx/dt = q - a*x^3 + b*x^2 - z + 2\ndq/dt = c - d*x^2 - q\n"
-          "dz/dt = 0.02*(4*(x + 1.6) - z)\n"
+          "param I = 2 fixed\nparam r = 0.02 fixed\nparam s = 4 fixed\nparam e = 1.6 fixed\n"
+          "dx/dt = q - a*x^3 + b*x^2 - z + I\ndq/dt = c - d*x^2 - q\n"
+          "dz/dt = r*s*x + r*s*e - r*z\n"
           "y1 = x + 3 noise LAW\ny2 = q + 20 noise LAW\ny3 = z + 1 noise LAW\n",
           {-1.0, -3.0, 1.5},
           steps(0.25, 121)};
@@ -157,6 +158,7 @@ IntervalDraw interval_draw(const IntervalCase& one, MeasuredBy noise, std::uint6
     draw.model.replace(draw.model.find("LAW"), 3, law);
   }
   for (const Parameter& parameter : system.parameters()) {
+    if (!parameter.free) continue;
     draw.truth.push_back(parameter.value);
     const std::string name = "param " + parameter.name + " = ";
     const std::size_t at = draw.model.find(name) + name.size();

@@ -60,6 +60,8 @@ Draw draw_of(const IntervalCase& one, MeasuredBy noise, std::uint64_t number) {
     const Fit found = fit(system, model_view(system.model(), drawn.columns, FiniteDifferences{}),
                           {}, options, context);
     draw.converged = found.converged;
+    if (found.numbers.size() != drawn.truth.size())
+      throw ArgumentError("study_intervals", "a number without a truth was fitted", "");
     for (std::size_t i = 0; i < found.numbers.size(); ++i) {
       const FittedParameter& estimate = found.numbers[i];
       const double truth = drawn.truth[i];

@@ -11,6 +11,7 @@
 
 #include "core/base/random.hpp"
 #include "lacuna/core/base/error.hpp"
+#include "lacuna/core/statistics/interval.hpp"
 #include "lacuna/data/derivatives/finite_differences.hpp"
 #include "lacuna/dynamics/integration/simulate.hpp"
 #include "lacuna/model/files/ode_text.hpp"
@@ -141,6 +142,52 @@ TEST(NoiseLaws, TruncatedMeanIsThatOfTheMomentEquation) {
   EXPECT_NEAR(*found.numbers[0].standard_error,
               kSigma / std::sqrt(slope * static_cast<double>(values.rows())), 2e-3);
   EXPECT_EQ(found.quality[0].samples, values.rows());
+}
+
+/// Least -2 log-likelihood over the deviation of normal values about y of which those below a
+/// limit are not recorded, by its definition.
+double least_truncated_loss(const Matrix& values, double y, double limit) {
+  double least = std::numeric_limits<double>::infinity();
+  for (double sigma = 0.3; sigma < 3.0; sigma *= 1.002) {
+    const double tail = 0.5 * std::erfc((limit - y) / sigma / std::sqrt(2.0));
+    double loss = 0.0;
+    for (const double value : values.reshaped()) loss += std::pow((value - y) / sigma, 2);
+    loss += 2.0 * static_cast<double>(values.size()) * std::log(sigma * tail);
+    least = std::min(least, loss);
+  }
+  return least;
+}
+
+// The size of truncated noise depends on where the model is: held, it would make the interval
+// shorter.
+TEST(NoiseLaws, IntervalsUnderLimitsAreThoseOfTheLikelihoodLargestOverTheSize) {
+  constexpr double kLimit = 2.0;
+  Random random(6);
+  Dataset data = decay([](double, double) { return 0.0; });
+  Matrix& values = data.trajectories[0].states;
+  for (double& value : values.reshaped())
+    do value = 2.4 + 0.5 * random.normal();
+    while (value < kLimit);
+  data.states[0].name = "y";
+  const auto fitted = [&](const std::string& size) {
+    const SystemModel system = parse_ode_system(
+        "param a = 1\ndx/dt = 0*x\ny = a*x noise constant " + size +
+            "truncated below 2\ninitial x = 1 fixed\n",
+        "m.ode");
+    const Dataset view = model_view(system.model(), data, FiniteDifferences{});
+    return fit(system, view, {}).numbers.at(0);
+  };
+  const FittedParameter found = fitted("");
+  ASSERT_TRUE(found.ci95);
+  const auto n = static_cast<double>(values.size());
+  const double least = least_truncated_loss(values, found.value, kLimit);
+  for (const double end : *found.ci95) {
+    const double deviance = (least_truncated_loss(values, end, kLimit) - least) * (n - 1.0) / n;
+    EXPECT_NEAR(std::sqrt(deviance), student_quantile_975(n - 1.0), 0.06) << end;
+  }
+  const FittedParameter held = fitted("0.5 ");
+  ASSERT_TRUE(held.ci95);
+  EXPECT_LT((*held.ci95)[1] - (*held.ci95)[0], 0.8 * ((*found.ci95)[1] - (*found.ci95)[0]));
 }
 
 TEST(NoiseLaws, TruncatedSizeIsEstimatedAndValuesBeyondTheLimitAreLeftOut) {
