@@ -10,7 +10,7 @@ from typing import Any
 from .model import Model
 from .own import Basis, Regressor
 from .progress import progress_function
-from .records import Records, held_out, records_of
+from .records import Records, conditions, held_out, records_of
 from .stages import Pipeline, Stage
 
 Texts = str | Sequence[str] | None
@@ -71,6 +71,11 @@ def bound(model: Any, data: Any, t: Any, u: Any, columns: Mapping[str, Any]) -> 
 def held_out_of(model: Any, data: Any, columns: Mapping[str, Any]) -> dict[str, Any]:
     """Records that are held out, with the same columns."""
     return held_out(data, _with_names_of(model, data, columns))
+
+
+def conditions_of(model: Any, data: Any, columns: Mapping[str, Any]) -> dict[str, Any]:
+    """Conditions of runs to predict, with the same columns."""
+    return conditions(data, _with_names_of(model, data, columns))
 
 
 def _with_names_of(model: Any, data: Any, columns: Mapping[str, Any]) -> Mapping[str, Any]:

@@ -16,6 +16,7 @@ from .arguments import (
     assignments,
     bound,
     called,
+    conditions_of,
     configuration,
     end_of,
     held_out_of,
@@ -250,6 +251,8 @@ def fit(
     ahead: int = 10,
     restarts: int = 8,
     profile: bool = False,
+    bands: bool = False,
+    predict: Any = None,
     effort: str | None = None,
     time_limit: float | None = None,
     seed: int = 1,
@@ -276,6 +279,10 @@ def fit(
         Other starts, at most, where residuals stay above the noise.
     profile : bool, optional
         Profiles of the likelihood of every number, however long it takes.
+    bands : bool, optional
+        90 % bands of the free runs and of measured values, in ``.bands``.
+    predict : like data, optional
+        Times, inputs and initial values (in the first row) of runs to predict, in ``.predicted``.
     effort, time_limit, seed, threads, progress
         As of `identify`.
 
@@ -302,11 +309,13 @@ def fit(
     arguments = {
         **bound(first, data, t, u, columns),
         **held_out_of(first, holdout, columns),
+        **conditions_of(first, predict, columns),
         "start_samples": start_samples,
         "start_time": start_time,
         "ahead": ahead,
         "restarts": restarts,
         "profile": profile,
+        "bands": bands,
         "effort": effort,
         "time_limit": time_limit,
     }

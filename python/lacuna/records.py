@@ -205,6 +205,14 @@ def held_out(data: Any, columns: Mapping[str, Any]) -> dict[str, Any]:
     return records.sources("held_out_paths", "held_out_tables")
 
 
+def conditions(data: Any, columns: Mapping[str, Any]) -> dict[str, Any]:
+    """Conditions of runs to predict, as the extension takes them: none, or with the same roles."""
+    if data is None:
+        return {}
+    records = data if isinstance(data, Records) else Records(data, **columns)
+    return records.sources("condition_paths", "condition_tables")
+
+
 def _listed(names: Names) -> str:
     return names if isinstance(names, str) else ",".join(names or ())
 

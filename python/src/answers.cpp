@@ -85,6 +85,9 @@ cli::FitRequest fit_request(const Given& given) {
   given.take("ahead", request.fit.prediction);
   given.take("restarts", request.fit.restarts);
   given.take("profile", request.fit.profile);
+  given.take("bands", request.fit.bands);
+  given.take("condition_paths", request.conditions.paths);
+  given.take("condition_tables", request.conditions.tables);
   take_named(given, "effort", cli::efforts(), request.fit.effort);
   return request;
 }

@@ -88,10 +88,12 @@ struct FitRequest {
   ModelSource model = {};
   DataOptions data = {};
   RecordSources held_out = {};
+  RecordSources conditions = {};  ///< of runs that are predicted
   FitOptions fit = {};
 };
 
-/// @throws what read_records() and fit() throw.
+/// The fit, and the predictions that were asked for.
+/// @throws what read_records(), fit(), read_conditions() and predict() throw.
 Fit answer(const FitRequest& request, const RunContext& context);
 
 /// The same records fitted by several models, in the order given; a fit has the path of its model

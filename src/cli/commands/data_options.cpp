@@ -146,6 +146,12 @@ Dataset records_for(const OdeModel& model, const RecordSources& sources,
   return records_of_tables(model, sources.tables, roles, differentiator, columns);
 }
 
+Dataset conditions_for(const OdeModel& model, const RecordSources& sources,
+                       const ColumnRoles& roles) {
+  if (sources.tables.empty()) return read_conditions(model, sources.paths, roles);
+  return conditions_of_tables(model, sources.tables, roles);
+}
+
 ColumnRoles roles_in_pieces(const DataOptions& options) {
   if (!options.holds.empty())
     throw ConfigError("--hold", "how inputs go on is not asked of records in pieces",

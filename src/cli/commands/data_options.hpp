@@ -65,6 +65,10 @@ Dataset records_for(const OdeModel& model, const RecordSources& sources,
                     const ColumnRoles& roles, const Differentiator& differentiator,
                     Columns columns = Columns::OfModel);
 
+/// The conditions of runs that nobody measured, as read_conditions() has them.
+Dataset conditions_for(const OdeModel& model, const RecordSources& sources,
+                       const ColumnRoles& roles);
+
 /// All roles that the options give to columns, for records that are read in pieces.
 /// @throws ConfigError when the options ask for what is not done there.
 ColumnRoles roles_in_pieces(const DataOptions& options);

@@ -98,6 +98,7 @@ std::vector<KnownDeviation> read_deviations(const std::vector<std::string>& assi
 int fit_command(const Session& session, FitArguments options) {
   options.fit.deviations = read_deviations(options.deviations);
   std::vector<std::string> files = files_read(options.data, options.held_out.paths);
+  files.insert(files.end(), options.conditions.paths.begin(), options.conditions.paths.end());
   files.push_back(options.model.path);
   check_outputs(files,
                 with_report({{"--model-out", options.model_out}, {"--json", options.json}},
@@ -127,7 +128,13 @@ Fit answer(const FitRequest& request, const RunContext& context) {
   const Dataset held_out =
       request.held_out.empty() ? Dataset{} : read(given, request.held_out, request);
   const SystemModel held = with_all_holds(system, with_shown_holds(given, data));
-  return fit(held, data, held_out, request.fit, context);
+  const Dataset conditions =
+      request.conditions.empty()
+          ? Dataset{}
+          : conditions_for(given, request.conditions, common_roles(request.data));
+  Fit found = fit(held, data, held_out, request.fit, context);
+  if (!request.conditions.empty()) found.predicted = predict(found, conditions);
+  return found;
 }
 
 std::vector<NamedFit> answers(const FitRequest& request, const std::vector<ModelSource>& models,
@@ -175,6 +182,11 @@ Command declare_fit(CLI::App& root) {
       ->capture_default_str();
   app->add_flag("--profile", options->fit.profile,
                 "Profiles of the likelihood of every number, however long it takes");
+  app->add_flag("--bands", options->fit.bands,
+                "90 % bands of the free runs and of measured values");
+  app->add_option("--predict", options->conditions.paths,
+                  "Times, inputs and initial values of runs to predict, with bands")
+      ->type_name("DATA");
   app->add_option("--model-out", options->model_out, "Write the fitted model")
       ->type_name("FILE|-");
   app->add_option("--json", options->json, "Write the result as JSON; - for standard output")

@@ -63,7 +63,9 @@ std::string law_problem(const NoiseLaw& law) {
     return "a limit of it is not finite";
   if (law.below && law.above && !(*law.below < *law.above))
     return "its limits are upside down";
-  if (law.form == NoiseForm::LogNormal && !(law.below.value_or(1.0) > 0.0))
+  if (law.truncated && !law.below && !law.above) return "it is truncated, but has no limit";
+  if (law.form == NoiseForm::LogNormal &&
+      !(law.below.value_or(1.0) > 0.0 && law.above.value_or(1.0) > 0.0))
     return "a limit of lognormal noise is not above 0";
   return "";
 }
@@ -73,6 +75,7 @@ std::string to_text(const NoiseLaw& law) {
   if (law.form == NoiseForm::Student) text += " " + format_number(law.freedom);
   if (law.constant) text += " " + format_number(*law.constant);
   if (law.fraction) text += " " + format_number(*law.fraction);
+  if (law.truncated) text += " truncated";
   if (law.below) text += " below " + format_number(*law.below);
   if (law.above) text += " above " + format_number(*law.above);
   return text;

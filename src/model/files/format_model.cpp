@@ -77,6 +77,7 @@ OrderedJson noise_json(const NoiseLaw& law) {
   if (law.fraction) object["fraction"] = *law.fraction;
   if (law.below) object["below"] = *law.below;
   if (law.above) object["above"] = *law.above;
+  if (law.truncated) object["truncated"] = true;
   return object;
 }
 

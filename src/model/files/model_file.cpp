@@ -217,7 +217,8 @@ std::vector<Parameter> read_parameters(const JsonPlace& list, FirstPaths& taken)
 }
 
 NoiseLaw read_noise(const JsonPlace& place) {
-  place.expect_keys({"law", "freedom", "constant", "fraction", "below", "above"});
+  place.expect_keys({"law", "freedom", "constant", "fraction", "below", "above",
+                     "truncated"});
   const std::string name = place.at("law").text();
   const std::optional<NoiseForm> form = noise_form_named(name);
   if (!form)
@@ -228,6 +229,7 @@ NoiseLaw read_noise(const JsonPlace& place) {
                .fraction = read_number(place, "fraction"),
                .below = read_number(place, "below"),
                .above = read_number(place, "above")};
+  if (const auto truncated = place.find("truncated")) law.truncated = truncated->flag();
   law.freedom = read_number(place, "freedom").value_or(law.freedom);
   if (const std::string problem = law_problem(law); !problem.empty())
     place.fail(problem, "mend its numbers");

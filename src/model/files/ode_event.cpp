@@ -109,6 +109,7 @@ NoiseLaw read_noise(OdeLine& line) {
   if (*form == NoiseForm::Student) law.freedom = line.number().value_or(law.freedom);
   if (has_constant(*form)) law.constant = line.number();
   if (has_fraction(*form)) law.fraction = line.number();
+  law.truncated = line.take("truncated");
   for (const auto& [word, limit] : {std::pair{"below", &law.below}, {"above", &law.above}})
     if (line.take(word)) {
       *limit = line.number();

@@ -8,7 +8,9 @@
 #include "data/records/check_record.hpp"
 #include "data/records/text_field.hpp"
 #include "data/units/in_units.hpp"
+#include "lacuna/data/derivatives/finite_differences.hpp"
 #include "lacuna/data/formats/read.hpp"
+#include "lacuna/data/records/marks.hpp"
 #include "model_columns.hpp"
 #include "records/binding/time_unit.hpp"
 
@@ -137,6 +139,41 @@ Dataset bound_tables(const OdeModel& model, const std::vector<Table>& tables,
   return all;
 }
 
+/// States that a table has no column of; it gets one of zeros for each.
+std::vector<Index> add_states(const OdeModel& model, Table& table) {
+  const std::vector<std::string> there = columns_of(table);
+  std::vector<Index> added;
+  for (Index k = 0; k < model.dimension(); ++k) {
+    const Quantity& state = model.states()[static_cast<std::size_t>(k)];
+    if (contains(there, state.name)) continue;
+    table.columns.push_back(state);
+    table.values.conservativeResize(Eigen::NoChange, table.values.cols() + 1);
+    table.values.rightCols(1).setZero();
+    added.push_back(k);
+  }
+  return added;
+}
+
+/// Conditions in tables whose columns are called as the model calls them.
+Dataset bound_conditions(const OdeModel& model, std::vector<Table> tables, ColumnRoles roles) {
+  roles.blanks = Blanks::Keep;
+  Dataset all;
+  for (Table& table : tables) {
+    const std::vector<Index> added = add_states(model, table);
+    Dataset data = bound_tables(model.with_outputs({}), {table}, roles, FiniteDifferences{},
+                                Columns::OfModel);
+    for (Trajectory& run : data.trajectories) {
+      run.marks = marks_of(run);
+      for (const Index k : added) run.marks.col(k).setConstant(number_of(Mark::Missing));
+    }
+    if (all.trajectories.empty())
+      all = std::move(data);
+    else
+      append(all, std::move(data));
+  }
+  return all;
+}
+
 /// What drives a model, from a table with its columns in their roles.
 Dataset inputs_of(const OdeModel& model, const Table& table, const ColumnRoles& roles) {
   ColumnRoles as_states = roles;
@@ -170,6 +207,23 @@ Dataset records_of_tables(const OdeModel& model, std::vector<Table> tables,
     throw DataError("data", "there is no record", "give at least one table of samples");
   for (Table& table : tables) table = called_as_states(model, renamed(std::move(table), roles));
   return bound_tables(model, tables, roles, differentiator, columns);
+}
+
+Dataset read_conditions(const OdeModel& model, const std::vector<std::string>& paths,
+                        ColumnRoles roles) {
+  roles.blanks = Blanks::Keep;
+  std::vector<Table> tables;
+  for (const std::string& path : expand_patterns(paths))
+    tables.push_back(called_as_states(model, read_table(path, roles)));
+  return bound_conditions(model, std::move(tables), std::move(roles));
+}
+
+Dataset conditions_of_tables(const OdeModel& model, std::vector<Table> tables,
+                             ColumnRoles roles) {
+  if (tables.empty())
+    throw DataError("data", "there are no conditions", "give at least one table of times");
+  for (Table& table : tables) table = called_as_states(model, renamed(std::move(table), roles));
+  return bound_conditions(model, std::move(tables), std::move(roles));
 }
 
 Dataset used_part(const OdeModel& model, Dataset data) {

@@ -65,6 +65,7 @@ void ChannelNoise::set_sizes(double constant, double fraction) {
 }
 
 Censoring ChannelNoise::censoring(double measured) const {
+  if (law_.truncated) return Censoring::None;
   if (law_.below && measured <= *law_.below) return Censoring::Below;
   if (law_.above && measured >= *law_.above) return Censoring::Above;
   return Censoring::None;
@@ -111,8 +112,54 @@ double ChannelNoise::deviation(double y) const {
 
 double ChannelNoise::pearson(double measured, double y) const {
   if (censoring(measured) != Censoring::None) return 0.0;
-  if (law_.form == NoiseForm::LogNormal) return (std::log(measured) - log_value(y)) / sizes_.b;
-  return (measured - y) / deviation(y);
+  if (law_.form == NoiseForm::Student) return (measured - y) / deviation(y);
+  if (!law_.truncated) return standard(measured, y);
+  const TruncatedNormal known = between_limits(y);
+  return (standard(measured, y) - known.mean) / std::sqrt(known.variance);
+}
+
+double ChannelNoise::pearson_weight(double y) const {
+  if (!law_.truncated) return 1.0 / deviation(y);
+  const auto [scale, shift, widening] = change(y);
+  const TruncatedNormal known = between_limits(y);
+  // The covariance of z and the score, which is shift z + widening z^2 less its mean.
+  const double slope = (shift + 2.0 * known.mean * widening) * known.variance +
+                       widening * known.third;
+  return slope / std::sqrt(known.variance);
+}
+
+NormalChange ChannelNoise::change(double y) const {
+  if (law_.form == NoiseForm::LogNormal) return {sizes_.b, log_slope(y) / sizes_.b, 0.0};
+  const double v = variance(y);
+  return {std::sqrt(v), 1.0 / std::sqrt(v), 0.5 * variance_slope(y) / v};
+}
+
+/// The standard normal number that makes a value.
+double ChannelNoise::standard(double value, double y) const {
+  if (law_.form == NoiseForm::LogNormal) return (std::log(value) - log_value(y)) / sizes_.b;
+  return (value - y) / std::sqrt(variance(y));
+}
+
+TruncatedNormal ChannelNoise::between_limits(double y) const {
+  constexpr double kEndless = std::numeric_limits<double>::infinity();
+  return truncated_normal(law_.below ? standard(*law_.below, y) : -kEndless,
+                          law_.above ? standard(*law_.above, y) : kEndless);
+}
+
+/// With s = dl/dy = a u + b (u^2 - E u^2), u = z - E z, the information is E s^2.
+NoiseScore ChannelNoise::truncated_score(double measured, double y) const {
+  const auto [scale, shift, widening] = change(y);
+  const TruncatedNormal known = between_limits(y);
+  const double z = standard(measured, y), u = z - known.mean;
+  const double a = shift + 2.0 * known.mean * widening;
+  const double information =
+      a * a * known.variance + 2.0 * a * widening * known.third +
+      widening * widening * (known.fourth - known.variance * known.variance);
+  NoiseScore score{z * z + 2.0 * (std::log(scale) + known.log_probability), 0.0, 0.0};
+  if (!(information > 0.0)) return score;
+  score.weight = std::sqrt(information);
+  score.residual = (a * u + widening * (u * u - known.variance)) / score.weight;
+  return score;
 }
 
 NoiseScore ChannelNoise::normal_score(double residual, double y) const {
@@ -125,15 +172,8 @@ NoiseScore ChannelNoise::normal_score(double residual, double y) const {
 NoiseScore ChannelNoise::limit_score(double measured, double y) const {
   const bool below = censoring(measured) == Censoring::Below;
   const double sign = below ? 1.0 : -1.0, limit = below ? *law_.below : *law_.above;
-  double q = 0.0, slope = 0.0;
-  if (law_.form == NoiseForm::LogNormal) {
-    q = sign * (std::log(limit) - log_value(y)) / sizes_.b;
-    slope = -sign * log_slope(y) / sizes_.b;
-  } else {
-    const double sigma = std::sqrt(variance(y));
-    q = sign * (limit - y) / sigma;
-    slope = -sign / sigma - q * variance_slope(y) / (2.0 * variance(y));
-  }
+  const auto [scale, shift, widening] = change(y);
+  const double q = sign * standard(limit, y), slope = -sign * shift - q * widening;
   const auto [log_probability, ratio] = normal_tail(q);
   const double curvature = ratio * (ratio + q);
   NoiseScore score{-2.0 * log_probability, 0.0, 0.0};
@@ -145,6 +185,7 @@ NoiseScore ChannelNoise::limit_score(double measured, double y) const {
 
 NoiseScore ChannelNoise::score(double measured, double y) const {
   if (censoring(measured) != Censoring::None) return limit_score(measured, y);
+  if (law_.truncated) return truncated_score(measured, y);
   const double residual = measured - y;
   switch (law_.form) {
     case NoiseForm::LogNormal: {
@@ -165,6 +206,8 @@ NoiseScore ChannelNoise::score(double measured, double y) const {
 double ChannelNoise::offset(double measured) const {
   constexpr double kSmall = 1e3;  // times a value near 0
   if (censoring(measured) != Censoring::None) return 0.0;
+  if (law_.truncated)
+    return 2.0 * (std::log(change(measured).scale) + between_limits(measured).log_probability);
   if (law_.form == NoiseForm::LogNormal) return 2.0 * std::log(sizes_.b);
   if (law_.form == NoiseForm::Student) return 2.0 * std::log(sizes_.a);
   return std::log(variance(std::max(std::abs(measured), kSmall * sizes_.least)));

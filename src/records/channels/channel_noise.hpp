@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "core/statistics/truncated_normal.hpp"
 #include "lacuna/core/base/types.hpp"
 #include "lacuna/model/equations/noise_law.hpp"
 
@@ -26,6 +27,13 @@ struct NoiseScore {
   double residual = 0.0;  ///< z
 };
 
+/// How a standard normal number z, which makes a measured value with its law, changes with y.
+struct NormalChange {
+  double scale = 1.0;  ///< deviation of the value (of its logarithm): value = location + scale z
+  double shift = 0.0;  ///< derivative of the location by y, over the scale
+  double widening = 0.0;  ///< derivative of the logarithm of the scale by y
+};
+
 /// The numbers of a law at present.
 struct NoiseSizes {
   double a = 1.0, b = 0.1;
@@ -46,7 +54,8 @@ class ChannelNoise {
   /// Takes sizes, each > 0, in the place of the present ones; those that are given stay.
   void set_sizes(double constant, double fraction);
 
-  /// What a measured value says by the limits of the law.
+  /// What a measured value says by the limits of the law; nothing but itself where it is
+  /// truncated there.
   Censoring censoring(double measured) const;
 
   /// The score of a value y of the model.
@@ -56,10 +65,14 @@ class ChannelNoise {
   /// the square of a normal number.
   double offset(double measured) const;
 
-  /// The measured value less y in deviations; 0 for what is censored.
+  /// The measured value less its mean in its deviations, 0 for what is censored.
   double pearson(double measured, double y) const;
 
-  /// The deviation of a measured value about y.
+  /// The derivative by y of the mean of a measured value, in its deviations; of a logarithm
+  /// that of the value.
+  double pearson_weight(double y) const;
+
+  /// The deviation of a measured value about y, were it not truncated.
   double deviation(double y) const;
 
   /// The log-likelihood of a measured value, of what is censored that of its limit.
@@ -76,6 +89,10 @@ class ChannelNoise {
   double log_slope(double y) const;
   NoiseScore normal_score(double residual, double y) const;
   NoiseScore limit_score(double measured, double y) const;
+  NoiseScore truncated_score(double measured, double y) const;
+  NormalChange change(double y) const;
+  double standard(double value, double y) const;
+  TruncatedNormal between_limits(double y) const;
   double total(const Vector& measured, const Vector& y) const;
   void search(double& size, const Vector& measured, const Vector& y);
 

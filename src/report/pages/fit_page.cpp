@@ -73,6 +73,13 @@ Page fit_page(const Fit& fit) {
   page.equations = equations_mathml(fit.model.model());
   page.sections.push_back(numbers_section(fit));
   const std::vector<GapRecord> runs = runs_of(fit);
+  const std::string& time_unit = fit.model.symbolic().time_unit();
+  if (!fit.bands.empty())
+    page.sections.push_back(
+        {"Bands", {}, band_pictures("bands", fit.bands, fit.runs, fit.quality, time_unit)});
+  if (!fit.predicted.empty())
+    page.sections.push_back(
+        {"Prediction", {}, band_pictures("predicted", fit.predicted, {}, {}, time_unit)});
   if (runs.empty()) return page;
   std::vector<Quantity> channels;
   Vector noise(static_cast<Index>(fit.quality.size()));

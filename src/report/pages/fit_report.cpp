@@ -11,6 +11,7 @@
 #include "lacuna/model/equations/rounding.hpp"
 #include "lacuna/model/files/model_file.hpp"
 #include "report/json/adequacy_json.hpp"
+#include "report/json/bands_json.hpp"
 #include "report/json/stages_json.hpp"
 
 namespace lacuna {
@@ -116,6 +117,7 @@ Json law_json(const NoiseLaw& law) {
   if (law.fraction) json["fraction"] = *law.fraction;
   if (law.below) json["below"] = *law.below;
   if (law.above) json["above"] = *law.above;
+  if (law.truncated) json["truncated"] = true;
   return json;
 }
 
@@ -275,6 +277,10 @@ std::string law_text(const FitQuality& quality) {
   std::string text = to_string(law.form) + " noise";
   for (const std::optional<double>& size : {law.constant, law.fraction})
     if (size) text += " " + format_number(*size, 3);
+  if (law.truncated)
+    text += std::string(" truncated") +
+            (law.below ? " below " + format_number(*law.below, 3) : std::string()) +
+            (law.above ? " above " + format_number(*law.above, 3) : std::string());
   if (quality.censored > 0)
     text += " (" + std::to_string(quality.censored) + " values beyond a limit)";
   return text;
@@ -302,6 +308,26 @@ void write_quality(const std::string& title, const std::vector<FitQuality>& chan
   out << title << "\n";
   for (const FitQuality& quality : channels)
     out << "  " << quality.channel << ": " << quality_text(quality, ahead) << "\n";
+}
+
+/// Where predicted runs end, with their bands; all times are in the JSON and on the page.
+void write_predicted(const Fit& fit, std::ostringstream& out) {
+  const auto interval = [](double low, double high) {
+    return "[" + format_number(low, 4) + ", " + format_number(high, 4) + "]";
+  };
+  for (const FitBands& run : fit.predicted) {
+    const Index last = run.time.size() - 1;
+    out << "Predicted at t = " << format_number(run.time[last], 6) << " of " << run.record
+        << " (90 %)\n";
+    for (std::size_t c = 0; c < run.quantities.size(); ++c) {
+      const auto k = static_cast<Index>(c);
+      out << "  " << run.quantities[c].name << " " << format_number(run.value(last, k), 5)
+          << "  " << interval(run.low(last, k), run.high(last, k));
+      if (std::isfinite(run.least(last, k)))
+        out << ", measured " << interval(run.least(last, k), run.most(last, k));
+      out << "\n";
+    }
+  }
 }
 
 bool starts_are_fixed(const Fit& fit) {
@@ -340,6 +366,8 @@ std::string format_json(const Fit& fit) {
                      {"not_determined", standing.open},
                      {"at_bounds", standing.at_ends}};
   json["profiles"] = profiles_json(fit);
+  if (!fit.bands.empty()) json["bands"] = bands_json(fit.bands);
+  if (!fit.predicted.empty()) json["predicted"] = bands_json(fit.predicted);
   json["gap"] = gap_json(fit);
   json["identifiable"] = fit.combinations.empty();
   json["combinations"] = Json::array();
@@ -384,6 +412,7 @@ std::string format_text(const Fit& fit) {
         << format_number(fit.gap->after, 3) << " of the spread, noise floor "
         << format_number(fit.gap->noise_floor, 3) << "\n";
   }
+  write_predicted(fit, out);
   out << "Verdict: " << sentence_of(standing_of(fit)) << "\n";
   for (const std::string& note : fit.notes) out << "Note: " << note << "\n";
   return out.str();

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "lacuna/diagnose/journey/gap.hpp"
+#include "lacuna/trajectories/fit/fit.hpp"
 #include "report/plot/figure.hpp"
 
 namespace lacuna {
@@ -32,6 +33,15 @@ std::vector<Picture> spectrum_pictures(const RunView& view);
 /// Orbit of measured values and model: in space where there are three states, in the plane of
 /// two; nothing for one.
 std::vector<Picture> orbit_pictures(const RunView& view);
+
+/// The longest of some runs with its bands, one picture for each quantity: those that are measured
+/// first, six at most.
+/// @param name of the pictures. @param measured the same records with their values, or none.
+/// @param channels what their columns are.
+std::vector<Picture> band_pictures(const std::string& name, const std::vector<FitBands>& runs,
+                                   const std::vector<FitRun>& measured,
+                                   const std::vector<FitQuality>& channels,
+                                   const std::string& time_unit);
 
 /// Root mean square of what the model is off (after, or before) over that of each state's
 /// deviation from its mean, over all records and states.

@@ -18,6 +18,7 @@
 #include "records/binding/other_records.hpp"
 #include "trajectories/fit/adequacy/fit_adequacy.hpp"
 #include "trajectories/fit/population/population_fit.hpp"
+#include "trajectories/fit/prediction/run_bands.hpp"
 
 namespace lacuna {
 namespace {
@@ -146,7 +147,9 @@ FitEstimate estimate(const SystemModel& system, FitEngine& engine,
   add_limits(result.numbers, result.combinations);
   result.starts = search.starts;
   result.agreeing = search.agreeing;
-  return {known.minimum, unknowns, known.minimum.point};
+  result.spread =
+      spread_of_numbers(engine, unknowns, known.errors, known.minimum.point);
+  return {known.minimum, unknowns, known.minimum.point, known.errors};
 }
 
 /// Everything of a fit that its minimum says.
@@ -165,6 +168,14 @@ void describe(FitEngine& engine, const FitEstimate& found, const FitOptions& opt
   result.log_likelihood = total_of(result.runs);
 }
 
+/// @throws ModelError for bands of a population.
+void check_bands(const SystemModel& system, const FitOptions& options) {
+  if (options.bands && varies(system))
+    throw ModelError("bands", "parameters vary over records, and the errors of their "
+                              "individual values are not known together",
+                     "leave out the bands");
+}
+
 }  // namespace
 
 Fit fit(const SystemModel& system, const Dataset& records, const Dataset& held_out_records,
@@ -176,6 +187,7 @@ Fit fit(const SystemModel& system, const Dataset& records, const Dataset& held_o
   FitEngine engine = fit_engine(model, std::move(seen));
   const FitUnknowns unknowns = fit_unknowns(model, local_parameters(system, model));
   check_enough(engine, unknowns);
+  check_bands(system, options);
   const FitPoint start{model.values().transpose().replicate(engine.records.records(), 1),
                        engine.records.starts};
   context.unhurried().report("fitting", 0.0);
@@ -185,6 +197,9 @@ Fit fit(const SystemModel& system, const Dataset& records, const Dataset& held_o
       method(system, engine, unknowns, start, options, context, result);
   describe(engine, found, options, context, result);
   if (result.population) complete_population(result);
+  if (options.bands)
+    result.bands =
+        fitted_bands(engine, found.unknowns, found.minimum, found.errors, data, result);
   if (!held_out.trajectories.empty())
     result.gap = gap_of(model, found.typical, held_out, usual_states(found.minimum.path),
                         options, found.unknowns);

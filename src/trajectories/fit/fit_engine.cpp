@@ -241,7 +241,7 @@ NoiseScore scale_of(const FitEngine& engine, Index n, Index c, double residual,
   const double value = engine.records.values(n, c), y = value - residual;
   if (whitening == Whitening::Likelihood) return law->score(value, y);
   if (!is_value(engine, n, c)) return {};
-  return {0.0, 1.0 / law->deviation(y), law->pearson(value, y)};
+  return {0.0, law->pearson_weight(y), law->pearson(value, y)};
 }
 
 }  // namespace

@@ -22,7 +22,7 @@ constexpr int kMostRounds = 3;
 
 FitErrors errors_at(FitEngine& engine, const FitUnknowns& unknowns, FitMinimum& minimum,
                     const RunContext& context) {
-  const bool white = are_white(engine, minimum.path.residuals);
+  const bool white = are_white(engine, whitened(engine, minimum.path));
   FitErrors errors = errors_of(engine, unknowns, minimum, white);
   if (errors.open.cols() == 0) return errors;
   minimum = nearest_minimum(engine, unknowns, minimum, errors.open, context);

@@ -125,7 +125,8 @@ HeldOut held_out_with(const ParametrisedModel& model, const Vector& values, cons
 
 double correlation_sigma(const FitEngine& engine, const Matrix& residuals, Index channel) {
   constexpr Index kMostLags = 20;
-  const double count = engine.records.valid.col(channel).sum();
+  double count = 0.0;
+  for (Index n = 0; n < residuals.rows(); ++n) count += is_value(engine, n, channel) ? 1.0 : 0.0;
   const double power = residuals.col(channel).squaredNorm();
   const auto lags = std::min(kMostLags, static_cast<Index>(count) / 5);
   if (lags < 1 || !(power > 0.0) || !std::isfinite(power)) return 0.0;
@@ -155,6 +156,7 @@ bool are_white(const FitEngine& engine, const Matrix& residuals) {
 std::vector<FitQuality> quality_of(FitEngine& engine, const FitPoint& point,
                                    const FitPath& path, Index ahead, Index skip) {
   const PredictionErrors prediction = predictions_of(engine, point, path, ahead);
+  const Matrix residuals = whitened(engine, path);
   std::vector<FitQuality> found;
   for (Index c = 0; c < engine.count(); ++c) {
     const FitChannel& channel = engine.records.channels[static_cast<std::size_t>(c)];
@@ -163,7 +165,7 @@ std::vector<FitQuality> quality_of(FitEngine& engine, const FitPoint& point,
                        .predicted = static_cast<Index>(prediction.compared[c]),
                        .noise = channel.noise,
                        .prediction = prediction.rms[c],
-                       .structure = correlation_sigma(engine, path.residuals, c)};
+                       .structure = correlation_sigma(engine, residuals, c)};
     Sums all;
     for (Index r = 0; r < engine.records.records(); ++r) {
       const Sums sums = sums_of(engine, path, c, r, skip);

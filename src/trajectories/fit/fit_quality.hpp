@@ -9,6 +9,7 @@ namespace lacuna {
 
 /// Significance of the correlation of residuals in time, in standard deviations: Ljung and Box,
 /// Biometrika 65:297-303 (1978), of lags 1 .. 20 within records, as far as these go.
+/// @param residuals in deviations of their noise, N x c, 0 for what is no value (whitened()).
 double correlation_sigma(const FitEngine& engine, const Matrix& residuals, Index channel);
 
 /// Whether no channel's residuals are correlated in time beyond chance.

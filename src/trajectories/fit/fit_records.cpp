@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <utility>
 
 #include "core/base/text.hpp"
 #include "dynamics/integration/event_stepper.hpp"
@@ -99,21 +101,33 @@ std::optional<NoiseLaw> law_of(const OdeModel& model, const std::string& state) 
   return std::nullopt;
 }
 
-/// Takes out what lognormal noise cannot make: values that are not above 0, but for those that
-/// are below a limit.
+/// Why a law of noise cannot make a value; nothing where it can.
+const char* impossible(const NoiseLaw& law, double value) {
+  if (law.truncated && (value < law.below.value_or(value) || value > law.above.value_or(value)))
+    return " are beyond the limits at which the noise is truncated: they were left out (without "
+           "the word `truncated` they count as beyond a limit)";
+  if (law.form == NoiseForm::LogNormal && !(value > 0.0) && !law.below)
+    return " are not above 0, which lognormal noise cannot make: they were left out (write "
+           "`below LIMIT` where they are below a limit)";
+  if (law.form == NoiseForm::Proportional && value == 0.0)
+    return " are exactly 0, where proportional noise has no deviation: they were left out "
+           "(`noise both` has one there)";
+  return nullptr;
+}
+
+/// Takes out values that the law of a channel cannot make.
 void leave_out_impossible(FitRecords& records, Index c) {
   const FitChannel& channel = records.channels[static_cast<std::size_t>(c)];
-  if (!channel.law || channel.law->form != NoiseForm::LogNormal || channel.law->below) return;
-  Index left_out = 0;
+  if (!channel.law) return;
+  std::map<std::string, Index> left_out;
   for (Index i = 0; i < records.values.rows(); ++i) {
-    if (records.valid(i, c) == 0.0 || records.values(i, c) > 0.0) continue;
+    const char* why = impossible(*channel.law, records.values(i, c));
+    if (records.valid(i, c) == 0.0 || why == nullptr) continue;
     records.valid(i, c) = 0.0;
-    ++left_out;
+    ++left_out[why];
   }
-  if (left_out > 0)
-    records.notes.push_back(std::to_string(left_out) + " values of " + channel.name +
-                            " are not above 0, which lognormal noise cannot make: they were left "
-                            "out (write `below LIMIT` where they are below a limit)");
+  for (const auto& [why, count] : left_out)
+    records.notes.push_back(std::to_string(count) + " values of " + channel.name + why);
 }
 
 void add_channel(const Dataset& view, Index column, const Expression& formula,
@@ -330,6 +344,22 @@ FitRecords fit_records(const ParametrisedModel& model, const Dataset& view,
   if (!scales.empty()) records.time_scale = *std::min_element(scales.begin(), scales.end());
   guess_starts(model, view, records);
   find_events(symbolic, view, records);
+  return records;
+}
+
+FitRecords observed_records(const ParametrisedModel& model, const Dataset& view,
+                            std::vector<FitChannel> channels) {
+  FitRecords records;
+  records.series = series_of(model, view);
+  for (const Trajectory& run : view.trajectories) records.sources.push_back(run.source);
+  const auto count = static_cast<Index>(channels.size());
+  records.channels = std::move(channels);
+  records.values = Matrix::Zero(view.samples(), count);
+  records.valid = Matrix::Ones(view.samples(), count);
+  records.scale = Vector::Zero(model.symbolic().dimension());
+  records.starts = Matrix::Zero(records.records(), records.scale.size());
+  records.guessed.assign(static_cast<std::size_t>(records.scale.size()), false);
+  find_events(model.symbolic(), view, records);
   return records;
 }
 

@@ -63,4 +63,9 @@ void add_deviations(const Dataset& view, const std::vector<KnownDeviation>& know
 FitRecords fit_records(const ParametrisedModel& model, const Dataset& view,
                        const KnownNoise& noise = {});
 
+/// Records along which quantities are only looked at: every sample counts, none is compared.
+/// Initial values are 0. @param view as of model_view(). @param channels what is looked at.
+FitRecords observed_records(const ParametrisedModel& model, const Dataset& view,
+                            std::vector<FitChannel> channels);
+
 }  // namespace lacuna

@@ -53,33 +53,25 @@ FitMinimum polished(FitEngine& engine, const FitUnknowns& unknowns, FitMinimum f
   return minimise(engine, unknowns, found.point, {}, options.most_iterations, context);
 }
 
-/// Gives the laws of channels their sizes. @return the largest change of a logarithm.
-double estimate_laws(FitEngine& engine, const FitUnknowns& unknowns, const FitPath& path) {
-  const double freedom = degrees_of_freedom(engine, unknowns) /
-                         std::max(1.0, engine.records.valid.sum());
-  double change = 0.0;
-  for (Index c = 0; c < engine.count(); ++c) {
-    auto& law = engine.laws[static_cast<std::size_t>(c)];
-    if (!law) continue;
-    std::vector<Index> rows;
-    for (Index n = 0; n < path.residuals.rows(); ++n)
-      if (engine.records.valid(n, c) > 0.0) rows.push_back(n);
-    const Vector measured = engine.records.values(rows, c);
-    const double usual = engine.records.channels[static_cast<std::size_t>(c)].spread;
-    const double before = law->deviation(usual);
-    law->estimate(measured, measured - path.residuals(rows, c), freedom);
-    change = std::max(change, std::abs(std::log(law->deviation(usual) / before)));
-  }
-  return change;
+/// Whether sizes of a law are estimated and depend on where the model is.
+bool size_moves(const std::optional<ChannelNoise>& noise) {
+  if (!noise) return false;
+  const NoiseLaw& law = noise->law();
+  const bool is_open = (has_constant(law.form) && !law.constant) ||
+                       (has_fraction(law.form) && !law.fraction);
+  return is_open && (law.below || law.above);
 }
 
 /// Residuals of several channels count by their size; a few rounds settle it.
 FitMinimum reweighted(FitEngine& engine, const FitUnknowns& unknowns, FitMinimum found,
                       const FitSearchOptions& options, const RunContext& context) {
-  constexpr int kRounds = 5;
-  constexpr double kSettled = 0.01;
+  // Sizes that move settle in turn with the parameters, and profiles compare likelihoods of
+  // them: 2 n 0.003^2 of a deviance is left for n values.
+  const bool moving = sizes_move(engine);
+  const int rounds = moving ? 20 : 5;
+  const double settled = moving ? 0.003 : 0.01;
   const Vector least = 1e-9 * engine.sigma;  // of a channel that is met to rounding
-  for (int round = 0; round < kRounds && std::isfinite(found.path.cost); ++round) {
+  for (int round = 0; round < rounds && std::isfinite(found.path.cost); ++round) {
     const Vector rms = residual_rms(engine, unknowns, found.path);
     const Vector sigma = rms.cwiseMax(least);
     const double change =
@@ -87,7 +79,7 @@ FitMinimum reweighted(FitEngine& engine, const FitUnknowns& unknowns, FitMinimum
                  estimate_laws(engine, unknowns, found.path));
     engine.sigma = sigma;
     found.path = follow(engine, found.point, {});  // its cost with the new sizes
-    if (round > 0 && change < kSettled) break;
+    if (round > 0 && change < settled) break;
     found = minimise(engine, unknowns, found.point, {}, options.most_iterations, context);
   }
   return found;
@@ -167,6 +159,29 @@ bool changed_a_sign(const FitPoint& a, const FitPoint& b) {
 }
 
 }  // namespace
+
+bool sizes_move(const FitEngine& engine) {
+  return std::any_of(engine.laws.begin(), engine.laws.end(), size_moves);
+}
+
+double estimate_laws(FitEngine& engine, const FitUnknowns& unknowns, const FitPath& path) {
+  const double all = degrees_of_freedom(engine, unknowns) /
+                     std::max(1.0, engine.records.valid.sum());
+  double change = 0.0;
+  for (Index c = 0; c < engine.count(); ++c) {
+    auto& law = engine.laws[static_cast<std::size_t>(c)];
+    if (!law) continue;
+    std::vector<Index> rows;
+    for (Index n = 0; n < path.residuals.rows(); ++n)
+      if (engine.records.valid(n, c) > 0.0) rows.push_back(n);
+    const Vector measured = engine.records.values(rows, c);
+    const double usual = engine.records.channels[static_cast<std::size_t>(c)].spread;
+    const double before = law->deviation(usual);
+    law->estimate(measured, measured - path.residuals(rows, c), size_moves(law) ? 1.0 : all);
+    change = std::max(change, std::abs(std::log(law->deviation(usual) / before)));
+  }
+  return change;
+}
 
 bool choose_substeps(FitEngine& engine, const FitPoint& point, const Gains& gains,
                      double small) {
@@ -250,7 +265,7 @@ void try_other_starts(FitEngine& engine, const FitUnknowns& unknowns, const FitP
   const bool guessed = raised(engine, start, 1.0).has_value();
   const auto good = [&] {
     return excess(engine, unknowns, search.best) <= options.good &&
-           (!guessed || are_white(engine, search.best.path.residuals));
+           (!guessed || are_white(engine, whitened(engine, search.best.path)));
   };
   if (good() && !changed_a_sign(search.best.point, start)) return;
   take(minimise(engine, unknowns, start, {}, options.most_iterations, context));

@@ -43,6 +43,15 @@ FitSearch search_fit(FitEngine& engine, const FitUnknowns& unknowns, const FitPo
 bool choose_substeps(FitEngine& engine, const FitPoint& point, const Gains& gains,
                      double small);
 
+/// Whether the sizes of some law that are estimated depend on where the model is: those of a law
+/// with limits. Without limits the information of location and size is that of independent
+/// numbers, exactly or (a deviation b in proportion to the value) to 2 b^2 of it.
+bool sizes_move(const FitEngine& engine);
+
+/// Gives the laws of channels their sizes of the largest likelihood, with the degrees of freedom
+/// of the fit where sizes do not move. @return the largest change of a logarithm.
+double estimate_laws(FitEngine& engine, const FitUnknowns& unknowns, const FitPath& path);
+
 /// Root mean square of the residuals of each channel, with degrees of freedom taken evenly.
 Vector residual_rms(const FitEngine& engine, const FitUnknowns& unknowns, const FitPath& path);
 

@@ -7,6 +7,8 @@
 #include <tuple>
 #include <utility>
 
+#include "fit_search.hpp"
+
 namespace lacuna {
 namespace {
 
@@ -68,12 +70,20 @@ class HeldNumber {
         least_(total_cost(unknowns, minimum.point, minimum.path)),
         context_(context),
         substeps_(engine.signals.scheme.substeps),
-        is_implicit_(engine.implicit.has_value()) {
+        is_implicit_(engine.implicit.has_value()),
+        laws_(engine.laws) {
     others_.global.erase(others_.global.begin() + place);
+    if (sizes_move(engine)) {
+      // Deviances with sizes that are estimated are as much larger than with known ones as
+      // values are more than degrees of freedom.
+      share_ = degrees_of_freedom(engine, unknowns) / std::max(1.0, engine.records.valid.sum());
+      least_ += of_values();
+    }
     restart();
   }
 
   ~HeldNumber() {
+    engine_.laws = laws_;
     if (!is_implicit_) engine_.implicit.reset();
     set_substeps(engine_, substeps_);
   }
@@ -82,7 +92,10 @@ class HeldNumber {
   HeldNumber& operator=(const HeldNumber&) = delete;
 
   double value() const { return minimum_.point.parameters(0, parameter_); }
-  void restart() { before_ = last_ = minimum_.point; }
+  void restart() {
+    before_ = last_ = minimum_.point;
+    engine_.laws = laws_;
+  }
 
   /// Least cost at a value, less that of the minimum; infinite where no run is finite.
   double deviance(double value) {
@@ -95,14 +108,42 @@ class HeldNumber {
       found = minimise(engine_, others_, start, {}, kIterations, context_);
     }
     if (!std::isfinite(found.path.cost)) return kNowhere;
+    if (share_) settle_sizes(found);
     before_ = std::exchange(last_, found.point);
     found_ = std::move(found);
-    return total_cost(unknowns_, found_.point, found_.path) - least_;
+    const double cost = total_cost(unknowns_, found_.point, found_.path);
+    return share_ ? *share_ * (cost + of_values() - least_) : cost - least_;
   }
 
   const FitMinimum& found() const { return found_; }
 
  private:
+  /// What costs lack of -2 log-likelihoods that have other sizes of the noise.
+  double of_values() const {
+    double sum = 0.0;
+    for (Index c = 0; c < engine_.count(); ++c) {
+      const auto& law = engine_.laws[static_cast<std::size_t>(c)];
+      for (Index n = 0; law && n < engine_.records.samples(); ++n)
+        if (engine_.records.valid(n, c) > 0.0) sum += law->offset(engine_.records.values(n, c));
+    }
+    return sum;
+  }
+
+  /// Sizes of the noise in turn with the other numbers, until they stay: they are numbers that
+  /// the likelihood is largest over, too.
+  void settle_sizes(FitMinimum& found) {
+    constexpr int kRounds = 10;
+    constexpr double kSettled = 0.003;  // as in the search
+    for (int round = 0; round < kRounds; ++round) {
+      const double change = estimate_laws(engine_, unknowns_, found.path);
+      found.path = follow(engine_, found.point, {});
+      if (change < kSettled) return;
+      FitMinimum next = minimise(engine_, others_, found.point, {}, kIterations, context_);
+      if (!std::isfinite(next.path.cost)) return;
+      found = std::move(next);
+    }
+  }
+
   /// Steps in proportion to the number: where a rate is larger than that of the estimate,
   /// motions are faster, and a run that is not finite would be one of the steps, not the model.
   void refine_steps(const FitPoint& start, double point) {
@@ -143,6 +184,8 @@ class HeldNumber {
   const RunContext& context_;
   Index substeps_;
   bool is_implicit_;
+  std::vector<std::optional<ChannelNoise>> laws_;
+  std::optional<double> share_ = {};  ///< of degrees of freedom, where sizes are estimated anew
   FitPoint before_, last_;
   FitMinimum found_;
 };

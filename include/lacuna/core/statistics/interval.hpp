@@ -11,7 +11,11 @@ namespace lacuna {
 /// @throws ArgumentError when it is below 1.
 double student_quantile_975(double freedom);
 
-/// Its limit, the 97.5 % quantile of the standard normal distribution: a fact.
+/// The 95 % quantile of the same distribution: half the width of a 90 % band in standard errors.
+/// @throws ArgumentError when `freedom` is below 1.
+double student_quantile_95(double freedom);
+
+/// The limit of student_quantile_975(), that of the standard normal distribution: a fact.
 inline constexpr double kNormalQuantile975 = 1.959963984540054;
 
 /// The 95 % confidence interval of an estimate: estimate -+ quantile x standard error.

@@ -26,6 +26,9 @@ struct NoiseLaw {
   /// measured one was not above it.
   std::optional<double> below = {};
   std::optional<double> above = {};  ///< the same at the other end: values are clipped there
+  /// Values beyond the limits are never recorded, in the place of being known to lie there: the
+  /// density of a value is that of the law over the probability of what is between the limits.
+  bool truncated = false;
 
   bool operator==(const NoiseLaw&) const = default;
 };

@@ -32,6 +32,17 @@ Dataset records_of_tables(const OdeModel& model, std::vector<Table> tables,
                           const ColumnRoles& roles, const Differentiator& differentiator,
                           Columns columns = Columns::OfModel);
 
+/// Reads conditions of runs that nobody measured: times, inputs, and initial values in the columns
+/// of states, of which only the first row has to be there; states without a column are hidden,
+/// outputs are not asked for.
+/// @throws FileError, DataError as read_records().
+Dataset read_conditions(const OdeModel& model, const std::vector<std::string>& paths,
+                        ColumnRoles roles);
+
+/// The same of tables that are in memory. @throws DataError as records_of_tables().
+Dataset conditions_of_tables(const OdeModel& model, std::vector<Table> tables,
+                             ColumnRoles roles);
+
 /// Records without the inputs that follow those of the model: columns that it does not know
 /// (see Columns::All).
 Dataset used_part(const OdeModel& model, Dataset data);

@@ -36,6 +36,7 @@ struct FitOptions {
   bool profile = false;   ///< whether profiles of the likelihood are wanted, at any cost
   /// Normal noise of known size in each sample, in the place of one deviation of the channel.
   std::vector<KnownDeviation> deviations = {};
+  bool bands = false;  ///< whether bands of the free runs are wanted
   KnownNoise noise = {};  ///< of each column of the records; nothing: analyse_noise() finds it
 };
 
@@ -134,6 +135,30 @@ struct FitRun {
   Matrix log_likelihood = {};  ///< n x channels; NaN where there is no value
 };
 
+/// What is known of the numbers of a fit together.
+struct NumberSpread {
+  /// P x P in the order of Fit::numbers: by the information, or by the gradients of blocks; 0
+  /// for a number that stands at an end of its range or that each record has for itself.
+  Matrix covariance;
+  /// P x d: directions in which the numbers may move without a change of the free run.
+  Matrix open;
+};
+
+/// Pointwise 90 % bands of a run of a fitted model. With J the derivatives of a quantity y by the
+/// numbers and the initial values, and C their covariance, the standard error of y is the root
+/// of J C J' (delta method; Seber and Wild, Nonlinear Regression (1989), Sect. 5.1), and bands
+/// are q = t_0.95 of them wide on each side. A measured value adds the law of the noise.
+struct FitBands {
+  std::string record;
+  Vector time;                       ///< n
+  std::vector<Quantity> quantities;  ///< q: the states, then outputs of other names
+  Matrix value;                      ///< n x q: the run
+  Matrix error;      ///< n x q: standard error of it; NaN where it is not determined
+  Matrix low, high;  ///< n x q: 90 % band of the run
+  /// n x q: 90 % of the values that would be measured; NaN where the noise is not known.
+  Matrix least, most;
+};
+
 /// What the likelihood is where parameters vary over records: that of the population, the
 /// individual values integrated out.
 struct FitPopulation {
@@ -168,6 +193,9 @@ struct Fit {
   std::vector<std::string> notes = {};
   std::vector<FitRun> runs = {};  ///< one for each record
   std::optional<FitPopulation> population = {};  ///< where parameters vary over records
+  NumberSpread spread = {};            ///< empty where parameters vary over records
+  std::vector<FitBands> bands = {};    ///< of each record, where they were wanted
+  std::vector<FitBands> predicted = {};  ///< of records that chose nothing (predict())
 };
 
 /// What a fit may be relied on for; headline and verdict are made of it.
@@ -214,5 +242,13 @@ std::string sentence_of(const FitStanding& standing);
 ///   SystemModel::parametrised(); Cancelled.
 Fit fit(const SystemModel& system, const Dataset& data, const Dataset& held_out,
         const FitOptions& options = {}, const RunContext& context = {});
+
+/// Runs of a fitted model under other conditions, with bands.
+/// @param conditions records in the variables of the model, as of read_conditions(): times and
+///   inputs. Initial values are those of the first row, exact, where a state has a value there;
+///   else those of the model, with its deviation. What else is measured is not looked at.
+/// @throws ModelError where numbers belong to single records or vary over them; DataError for a
+///   state without an initial value, and for a run that is not finite.
+std::vector<FitBands> predict(const Fit& fit, const Dataset& conditions);
 
 }  // namespace lacuna

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "lacuna/trajectories/fit/fit.hpp"
-#include "trajectories/fit/fit_solver.hpp"
+#include "trajectories/fit/fit_errors.hpp"
 
 namespace lacuna {
 
@@ -12,6 +12,7 @@ struct FitEstimate {
   FitMinimum minimum;
   FitUnknowns unknowns;  ///< local: with those that vary
   FitPoint typical;      ///< with typical values of numbers that vary
+  FitErrors errors = {};  ///< of numbers that do not vary over records
 };
 
 /// Whether a parameter of a model varies over records.

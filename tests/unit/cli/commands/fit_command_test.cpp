@@ -42,6 +42,41 @@ TEST(FitCommand, FitsWhatIsFree) {
   EXPECT_THAT(records.folder().read("fitted.ode"), HasSubstr("[1/s^2] in 0..100"));
 }
 
+TEST(FitCommand, BandsAndPredictionsAreInTheAnswer) {
+  const Records records;
+  const std::string conditions =
+      records.folder().write("new.csv", "t,u,x,v\n0,0,1,0.5\n0.5,0,,\n1,0,,\n");
+  const std::string page = records.folder().file("fit.html");
+  const auto result =
+      run_command({"fit", records.oscillator_model(), records.oscillator(), "--bands",
+                   "--predict", conditions, "--json", "-", "--report", page});
+  EXPECT_EQ(result.status, 0) << result.err;
+  const auto json = nlohmann::json::parse(result.out);
+  ASSERT_EQ(json["bands"].size(), 1u);
+  EXPECT_EQ(json["bands"][0]["time"].size(), 400u);
+  EXPECT_EQ(json["bands"][0]["quantities"][1]["name"], "v");
+  const auto& run = json["predicted"][0];
+  EXPECT_EQ(run["time"].size(), 3u);
+  const auto& x = run["quantities"][0];
+  EXPECT_EQ(x["name"], "x");
+  EXPECT_NEAR(x["value"][2].get<double>(), std::cos(2.0) + 0.25 * std::sin(2.0), 1e-3);
+  EXPECT_LE(x["low"][2], x["value"][2]);
+  EXPECT_GE(x["most"][2], x["high"][2]);
+  EXPECT_EQ(x["stderr"][0], 0.0) << "initial values are exact";
+  EXPECT_THAT(records.folder().read("fit.html"), HasSubstr("90 % band of the run"));
+  const auto plain = nlohmann::json::parse(
+      run_command({"fit", records.oscillator_model(), records.oscillator(), "--json", "-"}).out);
+  EXPECT_FALSE(plain.contains("bands") || plain.contains("predicted"));
+}
+
+TEST(FitCommand, PredictionsBeginSomewhere) {
+  const Records records;
+  const std::string conditions = records.folder().write("new.csv", "t,u,x\n0,0,1\n1,0,\n");
+  expect_failure(run_command({"fit", records.oscillator_model(), records.oscillator(),
+                              "--predict", conditions}),
+                 2, {"new.csv", "nothing says where v begins"});
+}
+
 TEST(FitCommand, HeldOutRecordsGiveTheGap) {
   const Records records;
   const std::string other = records.folder().write("other.csv", other_oscillation(300));

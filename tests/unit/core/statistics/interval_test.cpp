@@ -21,6 +21,13 @@ TEST(StudentQuantile, AgreesWithTables) {
   EXPECT_NEAR(student_quantile_975(1e9), 1.9599640, 1e-7);
 }
 
+TEST(StudentQuantile, OfABandAgreesWithTables) {
+  EXPECT_NEAR(student_quantile_95(1.0), 6.3137515, 1e-7);
+  EXPECT_NEAR(student_quantile_95(10.0), 1.8124611, 1e-7);
+  EXPECT_NEAR(student_quantile_95(1e9), 1.6448536, 1e-7);
+  EXPECT_THROW(student_quantile_95(0.5), ArgumentError);
+}
+
 TEST(StudentQuantile, GoesOnBetweenWholeDegreesOfFreedom) {
   const double between = student_quantile_975(1.5);
   EXPECT_LT(between, 0.6 * student_quantile_975(1.0));

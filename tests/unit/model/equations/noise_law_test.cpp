@@ -26,6 +26,8 @@ TEST(NoiseLaw, IsWrittenWithWhatIsKnown) {
   EXPECT_EQ(to_text(NoiseLaw{.form = NoiseForm::Both, .constant = 0.1, .fraction = 0.05,
                              .below = 0.2, .above = 9.0}),
             "noise both 0.1 0.05 below 0.2 above 9");
+  EXPECT_EQ(to_text(NoiseLaw{.constant = 0.5, .above = 3.0, .truncated = true}),
+            "noise constant 0.5 truncated above 3");
   EXPECT_EQ(to_text(NoiseLaw{.form = NoiseForm::Student, .constant = 2.0}),
             "noise student 4 2");
 }
@@ -39,7 +41,10 @@ TEST(NoiseLaw, WhatCannotBeIsSaid) {
   EXPECT_NE(law_problem({.form = NoiseForm::Student, .freedom = 2.0}), "");
   EXPECT_NE(law_problem({.form = NoiseForm::Student, .below = 0.1}), "");
   EXPECT_NE(law_problem({.form = NoiseForm::LogNormal, .below = 0.0}), "");
+  EXPECT_NE(law_problem({.form = NoiseForm::LogNormal, .above = 0.0}), "");
   EXPECT_NE(law_problem({.below = 2.0, .above = 1.0}), "");
+  EXPECT_NE(law_problem({.truncated = true}), "");
+  EXPECT_EQ(law_problem({.below = 1.0, .truncated = true}), "");
 }
 
 }  // namespace

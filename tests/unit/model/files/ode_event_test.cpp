@@ -26,6 +26,7 @@ dx/dt = gut*ka - x*k + u
 y = x/10 [mg/L] noise both 0.1 0.05 below 0.2
 z = x noise student 5
 w = x+gut noise lognormal above 50
+v = x noise constant truncated below 1 above 9
 initial gut = 0 at 0 fixed
 at 2: gut += D
 every 12 from 6 until 96: gut += D*u, x *= 0.5
@@ -108,6 +109,7 @@ TEST(OdeEvent, ErrorsHavePlaces) {
   expect_error("when x: x = 1", "m.ode:3:6", "no condition");
   expect_error("when 1 < x < 2: x = 1", "m.ode:3:6", "no condition");
   expect_error("y = x noise loud", "m.ode:3", "");
+  expect_error("y = x noise constant truncated", "m.ode:3", "no limit");
   expect_error("y = x noise both 1", "m.ode:3", "both sizes");
   expect_error("param k = 1 */ 0.5", "m.ode:3", "not above 1");
   expect_error("param k = -1 */ 2", "m.ode:3", "not above 0");

@@ -56,6 +56,25 @@ TEST(ReadRecords, WhatIsNeitherThereNorDefinedIsHidden) {
   EXPECT_TRUE(is_hidden(data, 0));
 }
 
+TEST(ReadConditions, NeedTimesAndInputsAndTakeTheStatesThatAreThere) {
+  const TemporaryFolder folder;
+  const OdeModel model = support::harmonic_model().with_outputs(
+      {{"y", "", parse_expression("x+v")}});
+  const Dataset data =
+      read_conditions(model, {folder.write("a.csv", "u,t,v\n3,0,7\n4,1,\n5,4,\n")}, {});
+  ASSERT_EQ(data.trajectories.size(), 1u);
+  const Trajectory& run = data.trajectories[0];
+  EXPECT_EQ(run.time, (Vector{{0.0, 1.0, 4.0}}));
+  EXPECT_EQ(run.inputs.col(0), (Vector{{3.0, 4.0, 5.0}}));
+  EXPECT_EQ(run.states(0, 1), 7.0);
+  EXPECT_EQ(mark_of(run.marks, 0, 1), Mark::Value);
+  EXPECT_EQ(mark_of(run.marks, 1, 1), Mark::Missing);
+  EXPECT_TRUE(is_hidden(data, 0)) << "x is not made from v";
+  const Dataset none = read_conditions(model, {folder.write("b.csv", "t,u\n0,1\n1,2\n")}, {});
+  EXPECT_TRUE(is_hidden(none, 0) && is_hidden(none, 1));
+  EXPECT_THROW(read_conditions(model, {folder.write("c.csv", "t,x\n0,1\n1,2\n")}, {}), DataError);
+}
+
 TEST(ReadRecords, NamesWhatIsMissing) {
   const TemporaryFolder folder;
   const std::string nothing = folder.write("v.csv", table_of("t,V,u,spare"));

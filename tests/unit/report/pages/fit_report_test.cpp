@@ -80,6 +80,53 @@ TEST(FitReport, TextSaysWhatIsNotDetermined) {
   EXPECT_THAT(text, HasSubstr("Note: look here"));
 }
 
+/// x at two times with its bands; nothing is known of y.
+FitBands bands() {
+  const double none = std::nan("");
+  Matrix value(2, 2), low(2, 2), high(2, 2), least(2, 2), most(2, 2);
+  value << 1.0, 5.0, 2.0, 6.0;
+  low << 0.9, none, 1.8, none;
+  high << 1.1, none, 2.2, none;
+  least << 0.5, none, 1.5, none;
+  most << 1.5, none, 2.5, none;
+  return {"new.csv", Vector{{0.0, 3.0}}, {{"x", "V"}, {"y", ""}}, value, 0.1 * value,
+          low,       high,               least,                  most};
+}
+
+TEST(FitReport, BandsAreInEveryKindOfAnswer) {
+  Fit fit = example();
+  fit.predicted = {bands()};
+  fit.bands = {bands(), bands()};
+  const auto json = nlohmann::json::parse(format_json(fit));
+  EXPECT_EQ(json["bands"].size(), 2u);
+  const auto& x = json["predicted"][0]["quantities"][0];
+  EXPECT_EQ(json["predicted"][0]["time"][1], 3.0);
+  EXPECT_EQ(x["value"][1], 2.0);
+  EXPECT_EQ(x["stderr"][1], 0.2);
+  EXPECT_EQ(x["low"][1], 1.8);
+  EXPECT_EQ(x["high"][1], 2.2);
+  EXPECT_EQ(x["least"][1], 1.5);
+  EXPECT_EQ(x["most"][1], 2.5);
+  EXPECT_TRUE(json["predicted"][0]["quantities"][1]["low"][0].is_null());
+  EXPECT_THAT(format_text(fit), HasSubstr("Predicted at t = 3 of new.csv (90 %)\n"
+                                          "  x 2  [1.8, 2.2], measured [1.5, 2.5]\n"));
+  const Page page = fit_page(fit);
+  const auto titled = [&](const std::string& title) {
+    return std::count_if(page.sections.begin(), page.sections.end(),
+                         [&](const PageSection& section) { return section.title == title; });
+  };
+  EXPECT_EQ(titled("Bands"), 1);
+  EXPECT_EQ(titled("Prediction"), 1);
+}
+
+TEST(FitReport, TruncatedNoiseIsSaid) {
+  Fit fit = example();
+  fit.quality[0].law = NoiseLaw{.constant = 0.5, .below = 2.0, .truncated = true};
+  const auto json = nlohmann::json::parse(format_json(fit));
+  EXPECT_EQ(json["fit"][0]["noise_law"]["truncated"], true);
+  EXPECT_THAT(format_text(fit), HasSubstr("constant noise 0.5 truncated below 2"));
+}
+
 TEST(FitReport, TextSaysWhatWasNotCompared) {
   Fit fit = example();
   EXPECT_THAT(format_text(fit), HasSubstr("10 samples ahead no finite prediction"));

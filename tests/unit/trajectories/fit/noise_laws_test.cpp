@@ -11,6 +11,8 @@
 
 #include "core/base/random.hpp"
 #include "lacuna/core/base/error.hpp"
+#include "lacuna/core/statistics/interval.hpp"
+#include "lacuna/data/derivatives/finite_differences.hpp"
 #include "lacuna/dynamics/integration/simulate.hpp"
 #include "lacuna/model/files/ode_text.hpp"
 #include "lacuna/records/binding/model_view.hpp"
@@ -107,6 +109,111 @@ TEST(NoiseLaws, ValuesBelowALimitCountByTheirProbability) {
             (data.trajectories[0].states.col(0).array() <= kLimit).count());
 }
 
+// Where only values above a limit are recorded, the largest likelihood of a constant is where the
+// mean of the values is that of the truncated normal, y + sigma f(q) / (1 - F(q)), q = (L - y) /
+// sigma.
+TEST(NoiseLaws, TruncatedMeanIsThatOfTheMomentEquation) {
+  constexpr double kLimit = 2.0, kSigma = 0.5;
+  Random random(6);
+  Dataset data = decay([](double, double) { return 0.0; });
+  Matrix& values = data.trajectories[0].states;
+  for (double& value : values.reshaped())
+    do value = 2.2 + kSigma * random.normal();
+    while (value < kLimit);
+  data.states[0].name = "y";
+  const SystemModel system =
+      parse_ode_system("param a = 1\ndx/dt = 0*x\ny = a*x noise constant 0.5 truncated below 2\n"
+                       "initial x = 1 fixed\n",
+                       "m.ode");
+  const Fit found = fit(system, model_view(system.model(), data, FiniteDifferences{}), {});
+  const auto mean = [&](double y) {
+    const double q = (kLimit - y) / kSigma;
+    return y + kSigma * std::exp(-0.5 * q * q) / std::sqrt(2.0 * std::numbers::pi) /
+                   (0.5 * std::erfc(q / std::sqrt(2.0)));
+  };
+  double low = 0.0, high = 4.0;
+  while (high - low > 1e-9)
+    (mean(0.5 * (low + high)) < values.mean() ? low : high) = 0.5 * (low + high);
+  EXPECT_NEAR(found.numbers.at(0).value, low, 1e-3) << "a hundredth of its error";
+  EXPECT_GT(values.mean() - low, 0.1) << "the limit matters";
+  // The variance of the estimate is sigma^2 over the variance of a recorded value in sigma^2.
+  const double step = 1e-4, slope = (mean(low + step) - mean(low - step)) / (2.0 * step);
+  ASSERT_TRUE(found.numbers[0].standard_error);
+  EXPECT_NEAR(*found.numbers[0].standard_error,
+              kSigma / std::sqrt(slope * static_cast<double>(values.rows())), 2e-3);
+  EXPECT_EQ(found.quality[0].samples, values.rows());
+}
+
+/// Least -2 log-likelihood over the deviation of normal values about y of which those below a
+/// limit are not recorded, by its definition.
+double least_truncated_loss(const Matrix& values, double y, double limit) {
+  double least = std::numeric_limits<double>::infinity();
+  for (double sigma = 0.3; sigma < 3.0; sigma *= 1.002) {
+    const double tail = 0.5 * std::erfc((limit - y) / sigma / std::sqrt(2.0));
+    double loss = 0.0;
+    for (const double value : values.reshaped()) loss += std::pow((value - y) / sigma, 2);
+    loss += 2.0 * static_cast<double>(values.size()) * std::log(sigma * tail);
+    least = std::min(least, loss);
+  }
+  return least;
+}
+
+// The size of truncated noise depends on where the model is: held, it would make the interval
+// shorter.
+TEST(NoiseLaws, IntervalsUnderLimitsAreThoseOfTheLikelihoodLargestOverTheSize) {
+  constexpr double kLimit = 2.0;
+  Random random(6);
+  Dataset data = decay([](double, double) { return 0.0; });
+  Matrix& values = data.trajectories[0].states;
+  for (double& value : values.reshaped())
+    do value = 2.4 + 0.5 * random.normal();
+    while (value < kLimit);
+  data.states[0].name = "y";
+  const auto fitted = [&](const std::string& size) {
+    const SystemModel system = parse_ode_system(
+        "param a = 1\ndx/dt = 0*x\ny = a*x noise constant " + size +
+            "truncated below 2\ninitial x = 1 fixed\n",
+        "m.ode");
+    const Dataset view = model_view(system.model(), data, FiniteDifferences{});
+    return fit(system, view, {}).numbers.at(0);
+  };
+  const FittedParameter found = fitted("");
+  ASSERT_TRUE(found.ci95);
+  const auto n = static_cast<double>(values.size());
+  const double least = least_truncated_loss(values, found.value, kLimit);
+  for (const double end : *found.ci95) {
+    const double deviance = (least_truncated_loss(values, end, kLimit) - least) * (n - 1.0) / n;
+    EXPECT_NEAR(std::sqrt(deviance), student_quantile_975(n - 1.0), 0.06) << end;
+  }
+  const FittedParameter held = fitted("0.5 ");
+  ASSERT_TRUE(held.ci95);
+  EXPECT_LT((*held.ci95)[1] - (*held.ci95)[0], 0.8 * ((*found.ci95)[1] - (*found.ci95)[0]));
+}
+
+TEST(NoiseLaws, TruncatedSizeIsEstimatedAndValuesBeyondTheLimitAreLeftOut) {
+  Random random(9);
+  Dataset data = decay([](double, double) { return 0.0; });
+  Trajectory& record = data.trajectories[0];
+  for (Index i = 0; i < record.samples(); ++i)
+    do record.states(i, 0) = 10.0 * std::exp(-0.5 * record.time[i]) + 0.5 * random.normal();
+    while (record.states(i, 0) < 1.0);
+  record.states(7, 0) = 0.5;
+  const auto rate = [&](const std::string& truncated) {
+    return fit(parse_ode_system("param k = 1\ndx/dt = -k*x\ninitial x = 10 at 0 fixed\n"
+                                "x = x noise constant" + truncated + "\n",
+                                "m.ode"),
+               data, {});
+  };
+  const Fit found = rate(" truncated below 1");
+  EXPECT_EQ(found.quality[0].samples, record.samples() - 1);
+  EXPECT_NEAR(found.numbers.at(0).value, 0.5, 3.0 * found.numbers[0].standard_error.value_or(0.0));
+  EXPECT_NEAR(found.quality[0].law->constant.value_or(0.0), 0.5, 0.12);
+  const auto said = std::find_if(found.notes.begin(), found.notes.end(), [](const auto& note) {
+    return note.find("1 values of x are beyond the limits") != std::string::npos;
+  });
+  EXPECT_NE(said, found.notes.end());
+}
+
 TEST(NoiseLaws, ProportionalNoiseWeighsSmallValuesAsLargeOnes) {
   const Dataset data = decay([](double y, double e) { return y * (1.0 + 0.1 * e); });
   const auto error = [&](const std::string& law) {
@@ -143,6 +250,21 @@ TEST(NoiseLaws, ValuesThatLognormalNoiseCannotMakeAreLeftOutWithANote) {
   EXPECT_NEAR(found.numbers[0].value, 0.5, 0.05);
   const auto said = std::find_if(found.notes.begin(), found.notes.end(), [](const auto& note) {
     return note.find("1 values of x are not above 0") != std::string::npos;
+  });
+  EXPECT_NE(said, found.notes.end());
+}
+
+// A value that is 0 because the model is says nothing of the size of the noise.
+TEST(NoiseLaws, ZerosAreNoValuesOfProportionalNoise) {
+  Dataset data = decay([](double y, double e) { return y * (1.0 + 0.1 * e); });
+  const SystemModel system =
+      parse_ode_system("param k = 1\ndx/dt = -k*x\nx = x noise proportional\n", "m.ode");
+  data.trajectories[0].states(3, 0) = 0.0;
+  const Fit found = fit(system, data, {});
+  EXPECT_EQ(found.quality[0].samples, 59);
+  EXPECT_NEAR(found.quality[0].law->fraction.value_or(0.0), 0.1, 0.03);
+  const auto said = std::find_if(found.notes.begin(), found.notes.end(), [](const auto& note) {
+    return note.find("1 values of x are exactly 0") != std::string::npos;
   });
   EXPECT_NE(said, found.notes.end());
 }
