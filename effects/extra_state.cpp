@@ -79,11 +79,62 @@ Candidate curve_behind(const Scope& scope, const Expression& u) {
   return candidate;
 }
 
+// From two periods in the record to five samples a period, in steps that a slightly damped mode
+// is found from.
+std::vector<double> frequencies(const ShapeParameter& frequency) {
+  constexpr double kRatio = 1.5;  // a fact of the search: it goes on from there
+  std::vector<double> values;
+  for (double value = frequency.low; value < frequency.high; value *= kRatio)
+    values.push_back(value);
+  return values;
+}
+
+// A mass that hangs on the place x, whose velocity v the state is, by a spring: it is pulled with
+// c*pull, and the mass with as much the other way, d(store)/dt = swing, d(swing)/dt = -w^2 pull.
+// Where a damper is beside the spring, pull = store-x + 2 damping/w (swing-v); where the mass is
+// damped against the ground, pull = store-x, and d(swing)/dt has -2 damping w swing.
+enum class Damper { BesideSpring, ToGround };
+
+Candidate mass_on(const Scope& scope, const Expression& x, const Expression& v, Damper damper) {
+  const bool beside = damper == Damper::BesideSpring;
+  constexpr double kPeriodsInRecord = 2.0, kSamplesInPeriod = 5.0;
+  // Facts: below this a mode is hardly damped within a record of some hundred periods; above 1 it
+  // is two stores.
+  constexpr double kLeastDamping = 1e-3, kMostDamping = 1.0;
+  const std::string per_time =
+      scope.model.time_unit().empty() ? "" : "1/" + scope.model.time_unit();
+  const Expression pull =
+      formula(scope, beside ? "store-x+damping/(pi*frequency)*(swing-v)" : "store-x",
+              {{"x", x}, {"v", v}});
+  const char* const swings = beside ? "-(2*pi*frequency)^2*pull"
+                                    : "-(2*pi*frequency)^2*pull-4*pi*frequency*damping*swing";
+  Candidate candidate = plain_candidate(pull, x);
+  candidate.shapes = {
+      {"frequency", per_time, kPeriodsInRecord / scope.duration,
+       1.0 / (kSamplesInPeriod * scope.step), true},
+      {"damping", "", kLeastDamping, kMostDamping, true}};
+  for (const double value : frequencies(candidate.shapes[0]))
+    candidate.starts.push_back(Vector{{value, 0.1}});
+  candidate.memory = {
+      {"store", formula(scope, "swing"), x},
+      {"swing", formula(scope, swings, {{"pull", pull}}), v}};
+  candidate.least = 0.0;
+  return candidate;
+}
+
+bool is_mass(const Candidate& candidate) {
+  return candidate.place == Place::Rate && candidate.memory.size() == 2 &&
+         candidate.shapes.size() == 2 && contains(candidate.memory[1].rate, Operation::Power);
+}
+
 std::vector<Candidate> extra_state_forms(const Scope& scope, Index equation) {
   std::vector<Candidate> result;
   if (scope.is_identity(equation)) return result;
   const Expression x = own_state(scope, equation);
   result.push_back(store_beside(scope, x));
+  if (const auto place = scope.integral_of(equation))
+    for (const Damper damper : {Damper::BesideSpring, Damper::ToGround})
+      result.push_back(mass_on(scope, own_state(scope, *place), x, damper));
   for (const Expression& y : all_variables(scope)) {
     if (y == x || !has_term(scope, equation, y)) continue;
     result.push_back(store_between(scope, x, y));
@@ -97,6 +148,9 @@ std::vector<Candidate> extra_state_forms(const Scope& scope, Index equation) {
 std::optional<Reading> extra_state_reading(const FittedForm& fitted) {
   const Candidate& candidate = fitted.candidate;
   const Expression x = own_state(fitted.scope, candidate.equation);
+  if (is_mass(candidate) && fitted.coefficient > 0.0)
+    return Reading{"mass on a spring behind " + candidate.argument.to_string() +
+                   " that is not measured"};
   if (has_form(candidate, "m") && candidate.shapes.size() == 1 && !candidate.is_driven())
     return Reading{candidate.argument.to_string() +
                    " acts through a state that is not measured"};
@@ -110,8 +164,10 @@ std::optional<Reading> extra_state_reading(const FittedForm& fitted) {
 }  // namespace
 
 const EffectFamily kExtraState{
-    {"extra-state", "A state that nobody measured: a second store, a lag behind a curve", ""},
-    "a second thermal mass, a wall, a second RC pair, a rotor that has to speed up",
+    {"extra-state", "A state that nobody measured: a second store, a mass on a spring, a lag behind a curve",
+     ""},
+    "a second thermal mass, a wall, a second RC pair, a flexible part, an absorber, a rotor that "
+    "has to speed up",
     extra_state_forms,
     extra_state_reading};
 

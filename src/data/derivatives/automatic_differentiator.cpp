@@ -14,14 +14,15 @@
 #include "lacuna/data/derivatives/savitzky_golay.hpp"
 #include "lacuna/data/derivatives/smoothing_spline.hpp"
 #include "lacuna/data/derivatives/spectral.hpp"
+#include "lacuna/data/derivatives/trend_filter.hpp"
 #include "lacuna/data/derivatives/whittaker.hpp"
 
 namespace lacuna {
 namespace {
 
 std::vector<Stage<Differentiator>> candidates() {
-  return {FiniteDifferences{}, SavitzkyGolay{}, SmoothingSpline{}, Whittaker{},
-          KalmanSmoother{},    LocalPolynomial{}, Spectral{}};
+  return {FiniteDifferences{}, SavitzkyGolay{},   SmoothingSpline{}, Whittaker{},
+          KalmanSmoother{},    LocalPolynomial{}, Spectral{},        TrendFilter{}};
 }
 
 /// A smooth signal with known derivative that looks like the record.

@@ -46,7 +46,7 @@ TrendChoice choose_trend(const SparseRows& differences, const Matrix& values,
   check_argument(differences.cols() == values.rows() && noise.size() == values.cols(),
                  "choose_trend", "the differences or the noise do not fit the samples");
   // Decisions: a tenth of the noise changes nothing; C_p hardly changes from one to the next.
-  constexpr double kLeast = 0.2, kRatio = 1.8;
+  constexpr double kLeast = 0.2, kRatio = 2.5;
   const auto order = static_cast<int>(values.rows() - differences.rows());
   std::vector<Trial> trials;
   const double most = weight_for(static_cast<double>(values.rows()), order);

@@ -37,6 +37,32 @@ TEST(Lag, IsOfWhatIsThere) {
   EXPECT_FALSE(plausible_with<kLag>(scope, slow, 4.0));
 }
 
+TEST(ExtraState, AMassIsPulledByWhatItPulls) {
+  const Scope scope = oscillator_scope();
+  const Candidate beside =
+      candidate_of<kExtraState>(scope, 1, "store-q+damping/(pi*frequency)*(swing-v)");
+  ASSERT_EQ(beside.memory.size(), 2u);
+  EXPECT_EQ(beside.memory[0].start, parse_expression("q"));
+  EXPECT_EQ(beside.memory[1].start, parse_expression("v"));
+  EXPECT_EQ(beside.memory[1].rate,
+            parse_expression("-(2*pi*frequency)^2*(store-q+damping/(pi*frequency)*(swing-v))"));
+  EXPECT_NE(reading_of<kExtraState>(scope, beside, 3.0, Vector{{1.0, 0.1}})
+                ->sentence.find("mass on a spring behind q"),
+            std::string::npos);
+  EXPECT_FALSE(reading_of<kExtraState>(scope, beside, -3.0, Vector{{1.0, 0.1}}));
+  const Candidate grounded = candidate_of<kExtraState>(scope, 1, "store-q");
+  EXPECT_EQ(grounded.memory[1].rate,
+            parse_expression("-(2*pi*frequency)^2*(store-q)-4*pi*frequency*damping*swing"));
+}
+
+TEST(ExtraState, AMassHangsOnAPlaceOnly) {
+  const Scope tanks = scope_of(
+      model_of_lines({{"a", {{"u", 1.0}, {"a", -1.0}}}, {"b", {{"a", 0.5}}}}, {"u"}), 2.0);
+  for (const Candidate& candidate : candidates_of<kExtraState>(tanks, 0))
+    EXPECT_EQ(candidate.memory.size(), 1u) << candidate.form.to_string();
+  EXPECT_TRUE(candidates_of<kExtraState>(oscillator_scope(), 0).empty()) << "an identity";
+}
+
 TEST(Delay, StartsLieAsDenseAsTheVariableForgets) {
   const Scope scope = oscillator_scope();
   const Candidate late = candidate_of<kDelay>(scope, 1, "delay(q,T)-q");
