@@ -164,7 +164,8 @@ std::optional<Reading> extra_state_reading(const FittedForm& fitted) {
 }  // namespace
 
 const EffectFamily kExtraState{
-    {"extra-state", "A state that nobody measured: a second store, a mass on a spring, a lag behind a curve",
+    {"extra-state",
+     "A state that nobody measured: a second store, a mass on a spring, a lag behind a curve",
      ""},
     "a second thermal mass, a wall, a second RC pair, a flexible part, an absorber, a rotor that "
     "has to speed up",

