@@ -89,14 +89,10 @@ std::vector<double> frequencies(const ShapeParameter& frequency) {
   return values;
 }
 
-// A mass that hangs on the place x, whose velocity v the state is, by a spring: it is pulled with
-// c*pull, and the mass with as much the other way, d(store)/dt = swing, d(swing)/dt = -w^2 pull.
-// Where a damper is beside the spring, pull = store-x + 2 damping/w (swing-v); where the mass is
-// damped against the ground, pull = store-x, and d(swing)/dt has -2 damping w swing.
-enum class Damper { BesideSpring, ToGround };
-
-Candidate mass_on(const Scope& scope, const Expression& x, const Expression& v, Damper damper) {
-  const bool beside = damper == Damper::BesideSpring;
+// A mass that hangs on the place x, whose velocity v the state is, by a spring and a damper: x is
+// pulled with c*pull, pull = store-x + 2 damping/w (swing-v), and the mass with as much the other
+// way: d(store)/dt = swing, d(swing)/dt = -w^2 pull.
+Candidate mass_on(const Scope& scope, const Expression& x, const Expression& v) {
   constexpr double kPeriodsInRecord = 2.0, kSamplesInPeriod = 5.0;
   // Facts: below this a mode is hardly damped within a record of some hundred periods; above 1 it
   // is two stores.
@@ -104,10 +100,7 @@ Candidate mass_on(const Scope& scope, const Expression& x, const Expression& v, 
   const std::string per_time =
       scope.model.time_unit().empty() ? "" : "1/" + scope.model.time_unit();
   const Expression pull =
-      formula(scope, beside ? "store-x+damping/(pi*frequency)*(swing-v)" : "store-x",
-              {{"x", x}, {"v", v}});
-  const char* const swings = beside ? "-(2*pi*frequency)^2*pull"
-                                    : "-(2*pi*frequency)^2*pull-4*pi*frequency*damping*swing";
+      formula(scope, "store-x+damping/(pi*frequency)*(swing-v)", {{"x", x}, {"v", v}});
   Candidate candidate = plain_candidate(pull, x);
   candidate.shapes = {
       {"frequency", per_time, kPeriodsInRecord / scope.duration,
@@ -117,7 +110,7 @@ Candidate mass_on(const Scope& scope, const Expression& x, const Expression& v, 
     candidate.starts.push_back(Vector{{value, 0.1}});
   candidate.memory = {
       {"store", formula(scope, "swing"), x},
-      {"swing", formula(scope, swings, {{"pull", pull}}), v}};
+      {"swing", formula(scope, "-(2*pi*frequency)^2*pull", {{"pull", pull}}), v}};
   candidate.least = 0.0;
   return candidate;
 }
@@ -133,8 +126,7 @@ std::vector<Candidate> extra_state_forms(const Scope& scope, Index equation) {
   const Expression x = own_state(scope, equation);
   result.push_back(store_beside(scope, x));
   if (const auto place = scope.integral_of(equation))
-    for (const Damper damper : {Damper::BesideSpring, Damper::ToGround})
-      result.push_back(mass_on(scope, own_state(scope, *place), x, damper));
+    result.push_back(mass_on(scope, own_state(scope, *place), x));
   for (const Expression& y : all_variables(scope)) {
     if (y == x || !has_term(scope, equation, y)) continue;
     result.push_back(store_between(scope, x, y));

@@ -6,9 +6,14 @@
 #include <cmath>
 #include <cstdlib>
 #include <fstream>
+#include <map>
+#include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
+#include <utility>
+#include <vector>
 
+#include "integration/program.hpp"
 #include "lacuna/data/derivatives/finite_differences.hpp"
 #include "lacuna/model/files/ode_text.hpp"
 #include "lacuna/records/binding/read_records.hpp"
@@ -41,6 +46,48 @@ TEST(PublishedLikelihoods, Boehm) {
   const Fit found = fit(
       model, read_records(model.model(), {base + ".csv"}, {}, FiniteDifferences{}), {});
   EXPECT_NEAR(found.log_likelihood, -138.222, 1e-3);
+}
+
+/// The values with a column of standard deviations for each, from the table of deviations.
+std::string with_deviations(const std::string& folder) {
+  const std::vector<std::string> names{"Naive", "EarlyEffector", "LateEffector", "Memory"};
+  std::map<std::pair<std::string, std::string>, std::string> deviations;
+  std::istringstream list(text_of(folder + "/deviations.tsv"));
+  std::string observable, value, time, deviation;
+  std::getline(list, value);
+  while (list >> observable >> value >> time >> deviation)
+    deviations[{observable.substr(std::string("observable_").size()), time}] = deviation;
+  std::istringstream rows(text_of(folder + "/cr.csv"));
+  std::string row, text;
+  while (std::getline(rows, row)) {
+    const std::string at = row.substr(0, row.find(','));
+    text += row;
+    for (const std::string& name : names)
+      text += "," + (at == "t" ? "s" + name : deviations[{name, at}]);
+    text += "\n";
+  }
+  return text;
+}
+
+/// T cells after an infection (Crauste et al., Cell Syst. 4:306-317, 2017), as in the PEtab
+/// collection: -log L = 190.964 at the published numbers, which are not quite the best. The
+/// standard deviation of each value is known; values are blank where nothing was counted.
+TEST(PublishedLikelihoods, Crauste) {
+  const char* data = std::getenv("LACUNA_DATA");
+  if (data == nullptr) GTEST_SKIP() << "LACUNA_DATA is not set";
+  const std::string given = std::string(data) + "/devices/crauste";
+  const TemporaryFolder folder;
+  const std::string model =
+      folder.write("c.ode", text_of(given + "/crauste.ode") + "\nfixed dP/dt: P\n");
+  const std::string values = folder.write("c.csv", with_deviations(given));
+  const CommandResult result = run_program(
+      "fit " + model + " " + values +
+      " --start-time 0 --deviation Naive=sNaive --deviation EarlyEffector=sEarlyEffector"
+      " --deviation LateEffector=sLateEffector --deviation Memory=sMemory --json -");
+  ASSERT_EQ(result.err, "");
+  const double found = -nlohmann::json::parse(result.out)["log_likelihood"].get<double>();
+  EXPECT_LT(found, 190.964 + 1e-3);
+  EXPECT_GT(found, 190.964 - 0.1);
 }
 
 }  // namespace

@@ -182,7 +182,7 @@ Baseline fitted_baseline(const Problem& problem, Assimilation given,
 
 Problem alone(const Problem& problem, const RunContext& quiet) {
   return {problem.nominal, problem.records, problem.options,
-          quiet,           problem.memory,  problem.fewer_than};
+          quiet,           problem.memory,  problem.most_parameters};
 }
 
 double criterion_of(const Problem& problem, const Baseline& base,

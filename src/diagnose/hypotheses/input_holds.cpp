@@ -214,7 +214,7 @@ RivalHolds rival_holds(const Problem& problem, const std::vector<OpenInput>& ope
   const DecisionOptions& decision = problem.options.decision;
   if (open.empty() || effects.empty()) return rivals;
   const bool complete = needs_no_disturbance(problem, best);
-  if (complete) rivals.fewer_than = best.explanation.parameters();
+  if (complete) rivals.most_parameters = best.explanation.parameters();
   const double explained = best.base->fitted.deviance - best.explanation.fit.deviance;
   for (const auto& [input, second, lead] : open) {
     const std::string& name = problem.nominal.inputs()[static_cast<std::size_t>(input)].name;

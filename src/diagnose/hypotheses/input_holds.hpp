@@ -38,9 +38,9 @@ ChosenHolds shown_holds(const Problem& problem);
 /// Models that may explain records better than the best so far.
 struct RivalHolds {
   std::vector<OdeModel> models = {};
-  /// Where the best needs no disturbance nothing is left that others could explain beyond it:
-  /// they are better only if their effects have fewer parameters than this, than its effects.
-  std::optional<Index> fewer_than = {};
+  /// Where the best needs no disturbance others do not take its place with more parameters than
+  /// its effects have.
+  std::optional<Index> most_parameters = {};
 };
 
 /// Models with another hold of an open input under which effects should be sought anew. None

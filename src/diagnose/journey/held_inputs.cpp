@@ -18,7 +18,7 @@ JudgedModel judged_with(const Problem& asked, OdeModel model, const Hypotheses& 
                         const RunContext& fitting) {
   auto nominal = std::make_shared<const OdeModel>(std::move(model));
   const Problem problem{*nominal,      asked.records, asked.options,
-                        asked.context, asked.memory,  asked.fewer_than};
+                        asked.context, asked.memory,  asked.most_parameters};
   const Problem needed{*nominal, asked.records, asked.options, fitting, asked.memory};
   Judged judged = first_composite(problem, hypotheses, plain_baseline(needed));
   return {std::move(nominal), std::move(judged)};
@@ -47,11 +47,11 @@ bool is_less_plain(const CompositeModel& one, const CompositeModel& other,
 namespace {
 
 /// Why a composite model under another hold is not taken, where the criterion alone does not say.
-std::string rule_against(bool is_better, const std::optional<Index>& fewer_than) {
+std::string rule_against(bool is_better, const std::optional<Index>& most_parameters) {
   if (is_better) return "more effects, and with fewer nothing is left";
-  if (!fewer_than) return "";
-  return "bounded: nothing is left to explain, so that only effects with fewer than " +
-         std::to_string(*fewer_than) + " parameters were sought";
+  if (!most_parameters) return "";
+  return "bounded: nothing is left to explain, so that only effects with at most " +
+         std::to_string(*most_parameters) + " parameters were sought";
 }
 
 /// Judges the model under other holds of its inputs than those of the best so far.
@@ -62,7 +62,7 @@ void judge_rival_holds(const Problem& problem, const Hypotheses& hypotheses,
                       problem.memory};
   RivalHolds rivals = rival_holds(first, open, best.judged.best);
   Problem bounded = problem;
-  bounded.fewer_than = rivals.fewer_than;
+  bounded.most_parameters = rivals.most_parameters;
   for (OdeModel& model : rivals.models) {
     JudgedModel other = judged_with(bounded, std::move(model), hypotheses, problem.context);
     if (problem.context.is_late()) return;  // it was not judged to its end
@@ -75,7 +75,7 @@ void judge_rival_holds(const Problem& problem, const Hypotheses& hypotheses,
     trail.push_back(
         {"input-hold", notes.empty() ? "inputs are smooth" : notes.front(), value, taken,
          std::string(problem.options.criterion->info().name), value, least,
-         taken ? std::string() : rule_against(value < least, rivals.fewer_than)});
+         taken ? std::string() : rule_against(value < least, rivals.most_parameters)});
     if (!taken) continue;
     other.judged.stages = std::move(best.judged.stages);
     best = std::move(other);

@@ -24,9 +24,9 @@ struct EffectSearch {
   /// What fitted forms are called.
   NameTable names() const { return {effects, base.scope, problem.options.decision.naming}; }
 
-  /// Whether an explanation may have so many parameters more (Problem::fewer_than).
+  /// Whether an explanation may have so many parameters more (Problem::most_parameters).
   bool has_room(const Explanation& current, Index more) const {
-    return !problem.fewer_than || current.parameters() + more < *problem.fewer_than;
+    return !problem.most_parameters || current.parameters() + more <= *problem.most_parameters;
   }
 };
 

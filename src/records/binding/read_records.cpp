@@ -2,6 +2,7 @@
 #include "lacuna/records/binding/read_records.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <utility>
 
@@ -57,13 +58,20 @@ bool may_be_time(const std::string& name) {
 }
 
 /// Columns of a table that have no role, no missing value and are no time.
+/// Whether a column that the model does not know can be an input: it has a value everywhere or,
+/// where blanks are kept, anywhere.
+bool is_readable(const Table& table, Index column, Blanks blanks) {
+  const auto finite = table.values.col(column).array().isFinite();
+  return blanks == Blanks::Keep ? finite.any() : finite.all();
+}
+
 std::vector<std::string> unused_columns(const Table& table, const ColumnRoles& roles) {
   const std::vector<Index> used = find_columns(table, roles).used();
   std::vector<std::string> names;
   for (Index i = 0; i < static_cast<Index>(table.columns.size()); ++i) {
     const std::string& name = table.columns[static_cast<std::size_t>(i)].name;
     if (std::find(used.begin(), used.end(), i) == used.end() && !may_be_time(name) &&
-        table.values.col(i).allFinite())
+        is_readable(table, i, roles.blanks))
       names.push_back(name);
   }
   return names;
@@ -92,8 +100,18 @@ OdeModel with_further_inputs(const OdeModel& model, const Dataset& data) {
       .with_outputs(model.outputs());
 }
 
-Dataset read_one(const OdeModel& model, const Table& table, const ColumnRoles& roles,
+/// The table with 0 for the blanks of some columns.
+Table without_blanks(Table table, const std::vector<std::string>& columns) {
+  for (std::size_t i = 0; i < table.columns.size(); ++i)
+    if (contains(columns, table.columns[i].name))
+      for (double& value : table.values.col(static_cast<Index>(i)))
+        if (!std::isfinite(value)) value = 0.0;
+  return table;
+}
+
+Dataset read_one(const OdeModel& model, const Table& given, const ColumnRoles& roles,
                  const std::vector<std::string>& unused, const Differentiator& differentiator) {
+  const Table table = without_blanks(given, unused);
   ColumnRoles all = roles_for(model, table, roles);
   all.inputs.insert(all.inputs.end(), unused.begin(), unused.end());
   const Dataset data = assign_roles_for(model, table, all);

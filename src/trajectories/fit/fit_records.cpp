@@ -291,8 +291,7 @@ void add_deviations(const Dataset& view, const std::vector<KnownDeviation>& know
     const Index c = place_of(records.channels, name), input = place_of(view.inputs, column);
     if (c == static_cast<Index>(records.channels.size()) || input == view.input_count())
       throw DataError("deviation of " + name,
-                      input == view.input_count() ? "there is no column '" + column +
-                                                        "' without missing values"
+                      input == view.input_count() ? "there is no column '" + column + "'"
                                                   : "nothing of that name is measured",
                       "name a measured column and the column of its standard deviations");
     if (records.channels[static_cast<std::size_t>(c)].law)

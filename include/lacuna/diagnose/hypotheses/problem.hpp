@@ -47,9 +47,9 @@ struct Problem {
   const DiagnosisOptions& options;
   const RunContext& context;
   std::shared_ptr<SearchMemory> memory = new_search_memory();
-  /// Effects are sought that have fewer parameters (coefficients and shapes) together: with
-  /// more they cannot be better than what is known already. Nothing: whatever they have.
-  std::optional<Index> fewer_than = {};
+  /// Effects are sought that have no more parameters (coefficients and shapes) together: with
+  /// more they do not take the place of what is known already. Nothing: whatever they have.
+  std::optional<Index> most_parameters = {};
 };
 
 /// The same problem in another context: on one thread, for fits side by side.

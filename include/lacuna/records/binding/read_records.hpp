@@ -13,7 +13,7 @@ namespace lacuna {
 enum class Columns {
   OfModel,  ///< states and inputs of the model
   All,      ///< behind them, as inputs, those that the model does not know and that all files
-            ///< have without a missing value
+            ///< have without a missing value; where blanks are kept a blank is 0
 };
 
 /// Reads files (paths or patterns) in the variables of a model, as model_view() has them. Files

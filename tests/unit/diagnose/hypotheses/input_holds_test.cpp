@@ -153,13 +153,14 @@ TEST_F(HoldsBesideFriction, AreSettledWhereNothingDisturbsTheModel) {
   const RivalHolds rivals =
       rival_holds(asked_.problem(), {{0, Hold::Linear, 0.0}}, composite);
   EXPECT_TRUE(rivals.models.empty());
-  EXPECT_EQ(rivals.fewer_than, 1) << "others would have to do without an effect";
+  EXPECT_EQ(rivals.most_parameters, 1) << "as many as the effect has";
 }
 
 TEST_F(HoldsBesideFriction, AreNotBoundedWhereSomethingDisturbsTheModel) {
   const CompositeModel composite = composite_under(Hold::Zero, "tanh(v/0.5)");
-  EXPECT_FALSE(
-      rival_holds(asked_.problem(), {{0, Hold::Linear, 0.0}}, composite).fewer_than.has_value());
+  const RivalHolds rivals =
+      rival_holds(asked_.problem(), {{0, Hold::Linear, 0.0}}, composite);
+  EXPECT_FALSE(rivals.most_parameters.has_value());
 }
 
 }  // namespace

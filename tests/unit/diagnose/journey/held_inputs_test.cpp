@@ -87,8 +87,8 @@ TEST(HeldInputs, AreJudgedAnewWhereSomethingIsLeftBesideTheEffects) {
   EXPECT_EQ(found.judged.trail.front().hypothesis, "input-hold");
 }
 
-/// With a square of the force nothing disturbs the model, and another hold of the force could
-/// only do with fewer parameters.
+/// With a square of the force nothing disturbs the model: under another hold of the force only as
+/// plain effects are sought.
 TEST(HeldInputs, AreBoundedWhereNothingIsLeftToExplain) {
   const auto square = [](double t, double, double) {
     const double force =

@@ -56,15 +56,15 @@ TEST_F(Search, WhatOthersHaveFittedChangesNothing) {
   }
 }
 
-TEST_F(Search, EndsWhereMoreParametersCannotBeBetter) {
+TEST_F(Search, EndsWhereMoreParametersDoNotCount) {
   found(dry_and_cubic);
   Problem problem = asked_.problem();
-  const auto rounds_of = [&](Index fewer_than) {
-    problem.fewer_than = fewer_than;
+  const auto rounds_of = [&](Index most_parameters) {
+    problem.most_parameters = most_parameters;
     return search_effects({problem, *base_, asked_.options.effects}).rounds.size();
   };
-  EXPECT_EQ(rounds_of(1), 0u);
-  EXPECT_EQ(rounds_of(2), 1u);
+  EXPECT_EQ(rounds_of(0), 0u);
+  EXPECT_EQ(rounds_of(1), 1u);
 }
 
 TEST_F(Search, FractionsOfTheDisturbanceThatGoAddUpToMostOfIt) {

@@ -107,6 +107,22 @@ TEST(ReadRecords, OutputsAreColumnsOfTheirOwn) {
   EXPECT_THAT(data.reconstructed, ElementsAre(false, true, false));
 }
 
+TEST(ReadRecords, BlanksOfFurtherColumnsAreZeroWhereBlanksAreKept) {
+  const TemporaryFolder folder;
+  std::string text = "t,x,u,sd,empty\n";
+  for (int i = 0; i < 30; ++i)
+    text += std::to_string(i) + (i % 3 == 0 ? ",,1,," : ",2.5,1,0.25,") + "\n";
+  const std::string path = folder.write("a.csv", text);
+  ColumnRoles roles;
+  roles.blanks = Blanks::Keep;
+  const Dataset data =
+      read_records(support::harmonic_model(), {path}, roles, kDefaultDifferences, Columns::All);
+  ASSERT_EQ(data.input_count(), 2);
+  EXPECT_EQ(data.inputs[1].name, "sd");
+  EXPECT_EQ(data.trajectories[0].inputs(3, 1), 0.0);
+  EXPECT_EQ(data.trajectories[0].inputs(4, 1), 0.25);
+}
+
 TEST(ReadRecords, BringsTimeToTheUnitOfTheModel) {
   const TemporaryFolder folder;
   const Dataset seconds = read({folder.write("s.csv", table_of("t [s],x,u,spare"))});
