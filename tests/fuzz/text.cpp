@@ -44,7 +44,10 @@ void check_blocks(std::string_view input, const Table& whole) {
   if (!format || format->layout.line_end != line_end_of(input)) return;
   const auto known = find_format(input, true, "input");
   const auto note = [](const TextFormat& one) { return one.dialect ? one.dialect->note : ""; };
-  if (note(*format) != note(*known)) return;
+  if (note(*format) != note(*known) ||
+      format->layout.data_begin != known->layout.data_begin ||
+      format->layout.columns() != known->layout.columns())
+    return;
   TextRows rows(std::move(*format), "input");
   const std::string_view first = whole_lines(begin, rows.line_end());
   Table table = rows.columns();

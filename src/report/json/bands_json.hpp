@@ -15,16 +15,16 @@ namespace lacuna {
 /// [{"record", "time": [...], "quantities": [{"name", "unit", "value": [...], "stderr", "low",
 /// "high", "least", "most"}]}]; null for what is not known.
 inline nlohmann::ordered_json bands_json(const std::vector<FitBands>& all) {
-  using Json = nlohmann::ordered_json;
+  using Node = nlohmann::ordered_json;
   const auto list = [](const Vector& values) {
-    Json numbers = Json::array();
+    Node numbers = Node::array();
     for (const double value : values)
-      numbers.push_back(std::isfinite(value) ? Json(value) : Json(nullptr));
+      numbers.push_back(std::isfinite(value) ? Node(value) : Node(nullptr));
     return numbers;
   };
-  Json records = Json::array();
+  Node records = Node::array();
   for (const FitBands& run : all) {
-    Json quantities = Json::array();
+    Node quantities = Node::array();
     for (std::size_t c = 0; c < run.quantities.size(); ++c) {
       const auto k = static_cast<Index>(c);
       quantities.push_back({{"name", run.quantities[c].name},
