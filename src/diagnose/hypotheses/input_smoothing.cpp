@@ -78,6 +78,22 @@ std::vector<MeasuredInput> measured_with_noise(const Problem& problem, const Dat
   return noisy;
 }
 
+/// Whether an effect of a noisy input is named, or structure is left that its noise does not make
+/// (structure_left()): where neither is, the input serves as it is, and a trend of it has errors of
+/// its own.
+bool is_in_doubt(const Problem& problem, const CompositeModel& best,
+                 const std::vector<MeasuredInput>& inputs) {
+  if (leaves_structure(best, problem.options.decision)) return true;
+  const std::vector<FittedEffect>& effects = best.explanation.effects;
+  return std::any_of(inputs.begin(), inputs.end(), [&](const MeasuredInput& one) {
+    const std::string& name =
+        problem.nominal.inputs()[static_cast<std::size_t>(one.input)].name;
+    return std::any_of(effects.begin(), effects.end(), [&](const FittedEffect& effect) {
+      return effect.candidate.depends_on(name);
+    });
+  });
+}
+
 InputCorrection smoothing_of(std::vector<MeasuredInput> inputs) {
   return [inputs = std::move(inputs)](const Dataset& data) {
     Dataset smooth = data;
@@ -106,7 +122,7 @@ std::string note_on(const Problem& problem, const std::vector<MeasuredInput>& in
 Proposals InputSmoothing::do_propose(const Problem& problem, const CompositeModel& best) const {
   std::vector<MeasuredInput> inputs =
       measured_with_noise(problem, best.base->records->data);
-  if (inputs.empty()) return {};
+  if (inputs.empty() || !is_in_doubt(problem, best, inputs)) return {};
   problem.context.report("inputs that were measured with noise", 0.0);
   const std::string note = note_on(problem, inputs);
   return proposed_correction(problem, best, info().name, smoothing_of(std::move(inputs)), note);

@@ -117,7 +117,8 @@ inline constexpr StageInfo kInputSmoothing{
 /// that of its measurement. To a model that takes it as it is, plays and lags of the input that
 /// swallow the noise explain the records better than nothing. In their place the trends of such
 /// inputs are tried (levels with jumps or lines with bends, whichever has the lower C_p, see
-/// choose_trend()); it is proposed as an InputSkew is.
+/// choose_trend()) where such an effect is named or structure is left that the noise of the inputs
+/// does not make; it is proposed as an InputSkew is.
 class InputSmoothing final : public Configured<Hypothesis, NoOptions<kInputSmoothing>> {
  public:
   using Configured::Configured;
