@@ -93,6 +93,8 @@ std::vector<double> frequencies(const ShapeParameter& frequency) {
 // pulled with c*pull, pull = store-x + 2 damping/w (swing-v), and the mass with as much the other
 // way: d(store)/dt = swing, d(swing)/dt = -w^2 pull.
 Candidate mass_on(const Scope& scope, const Expression& x, const Expression& v) {
+  // Decisions: in less than two periods a mode is a trend; with fewer samples a period its path
+  // between them is guessed.
   constexpr double kPeriodsInRecord = 2.0, kSamplesInPeriod = 5.0;
   // Facts: below this a mode is hardly damped within a record of some hundred periods; above 1 it
   // is two stores.
