@@ -39,13 +39,16 @@ std::vector<Candidate> exponential_conduction_forms(const Scope& scope, Index eq
   return result;
 }
 
-// A junction that the state itself drives takes away from it.
+// A junction that the state itself drives takes away from it. With the widest scale it says no
+// more than a quadratic term.
 std::optional<Reading> exponential_conduction_reading(const FittedForm& fitted) {
   const Candidate& candidate = fitted.candidate;
   const bool is_junction = has_form(candidate, kForward) || has_form(candidate, kReverse) ||
                            has_form(candidate, kBoth);
   const bool own = candidate.argument == own_state(fitted.scope, candidate.equation);
-  if (!is_junction || (own && fitted.coefficient >= 0.0)) return std::nullopt;
+  if (!is_junction || (own && fitted.coefficient >= 0.0) ||
+      is_at_upper_end(candidate.shapes[0], fitted.shapes[0]))
+    return std::nullopt;
   return Reading{"conduction that grows exponentially with " + candidate.argument.to_string(),
                  Precedence::Plain,
                  {"scale"}};

@@ -39,6 +39,11 @@ bool has_form(const Candidate& candidate, std::string_view pattern) {
   return candidate.form == substitute(whole, parts);
 }
 
+bool is_at_upper_end(const ShapeParameter& shape, double value) {
+  constexpr double kAtTheEnd = 0.99;  // a fact: fits stop there
+  return value > shape.low + kAtTheEnd * (shape.high - shape.low);
+}
+
 VariableRange range_of_argument(const FittedForm& fitted) {
   return fitted.scope.range_of(fitted.candidate.argument);
 }

@@ -56,7 +56,7 @@ def motor_lattice(rng):
     return Bench(t, {"w [rad/s]": w, "i [A]": noisy(rng, x[:, 1], 1)}, {"u [V]": u}, MOTOR)
 
 
-@bench("earlier")
+@bench("earlier", lacks=("w:sensor-offset",))
 def motor_pickup(rng):
     t, u, x = motor(rng)
     w = noisy(rng, x[:, 0] + 0.3 * np.sin(2 * np.pi * 13.7 * t), 0.5)
@@ -207,7 +207,7 @@ def mass_started(rng):
     return place(rng, t, push, x[:, 0], 0.3)
 
 
-@bench("earlier", also=("v:channel-skew", "x:channel-skew"))
+@bench("earlier", also=("v:channel-skew", "x:channel-skew", "x:sensor-lag", "v:lag"))
 def mass_late_sensor(rng):
     time = np.arange(4000) * 0.005
     push = steps(rng, 4000, -20, 20, 30, 100)
@@ -250,7 +250,7 @@ def mass_in_water(rng):
     return place(rng, t, push, x[:, 0], 0.3)
 
 
-@bench("new")
+@bench("new", also=("v:constant-offset",))
 def mass_gain(rng):
     """The load cell shows 8 % too much; its offset is 0.5 N."""
     t, push, x = mass(rng)

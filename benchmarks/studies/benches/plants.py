@@ -170,7 +170,7 @@ def reactor(rng, model, step=None):
 
 @bench(
     "earlier",
-    lacks=("c:cross-term", "c:missing-coupling", "T:cross-term"),
+    lacks=("c:exponential-rate", "T:exponential-rate", "c:cross-term", "T:cross-term"),
     also=("c:quadratic-term", "T:quadratic-term"),
 )
 def reactor_thermal(rng):
@@ -315,7 +315,7 @@ param C1 = 2500
 dV1/dt = I/C1 - V1/(R1*C1)
 param R0 = 0.05
 param U0 = 3.7
-output U = U0 - R0*I - V1 [V]
+U = U0 - R0*I - V1 [V]
 initial V1 = 0
 """
 
@@ -391,7 +391,7 @@ def predation_crowded(rng):
     )
 
 
-@bench("new", lacks=("x:periodic-forcing",))
+@bench("new", lacks=("x:periodic-parameter",))
 def predation_seasonal(rng):
     """The prey's births follow the season."""
     return predation(

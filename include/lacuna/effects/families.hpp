@@ -21,11 +21,11 @@ extern const EffectFamily kCubicStiffness, kQuadraticDrag, kCoulombFriction, kSt
 
 // Bends and limits.
 extern const EffectFamily kDeadZone, kSaturation, kOneSidedStop, kPiecewiseLinear, kOverflow,
-    kSaturatingRate, kExponentialConduction;
+    kSaturatingRate, kExponentialConduction, kExponentialRate, kRadiation;
 
 // Time and memory.
-extern const EffectFamily kPeriodicForcing, kParameterDrift, kTimeTrend, kDelay, kLag,
-    kExtraState, kUnmeasuredInput;
+extern const EffectFamily kPeriodicForcing, kPeriodicParameter, kParameterDrift, kTimeTrend,
+    kDelay, kLag, kExtraState, kUnmeasuredInput;
 
 // Recording.
 extern const EffectFamily kChannelSkew;
@@ -40,8 +40,9 @@ using StandardFamilies =
                kCrossTerm, kFeedthrough, kMissingCoupling, kLeakage, kCubicStiffness,
                kQuadraticDrag, kCoulombFriction, kStribeckFriction, kBacklash, kHysteresis,
                kDeadZone, kSaturation, kOneSidedStop, kPiecewiseLinear, kOverflow,
-               kSaturatingRate, kExponentialConduction, kPeriodicForcing, kParameterDrift,
-               kTimeTrend, kDelay, kLag, kExtraState, kUnmeasuredInput, kChannelSkew>;
+               kSaturatingRate, kExponentialConduction, kExponentialRate, kRadiation,
+               kPeriodicForcing, kPeriodicParameter, kParameterDrift, kTimeTrend, kDelay, kLag,
+               kExtraState, kUnmeasuredInput, kChannelSkew>;
 
 /// The effects of StandardFamilies, in their order.
 std::vector<Stage<Effect>> standard_effects();

@@ -15,6 +15,9 @@ namespace lacuna {
 /// @throws ModelError when the pattern cannot be read.
 bool has_form(const Candidate& candidate, std::string_view pattern);
 
+/// Whether a fit has taken a shape parameter to the upper end of its range, where it stops.
+bool is_at_upper_end(const ShapeParameter& shape, double value);
+
 /// The range of the candidate's argument.
 VariableRange range_of_argument(const FittedForm& fitted);
 

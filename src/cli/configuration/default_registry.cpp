@@ -2,9 +2,11 @@
 #include "cli/configuration/identification_configuration.hpp"
 #include "diagnose/hypotheses/broken_identity.hpp"
 #include "diagnose/hypotheses/coloured_noise.hpp"
+#include "diagnose/hypotheses/held_coefficients.hpp"
 #include "diagnose/hypotheses/named_effects.hpp"
 #include "diagnose/hypotheses/residual_function.hpp"
 #include "diagnose/hypotheses/sensor_fault.hpp"
+#include "diagnose/hypotheses/sensor_pickup.hpp"
 #include "diagnose/hypotheses/shared_process.hpp"
 #include "diagnose/hypotheses/unmeasured_input.hpp"
 #include "dynamics/integration/automatic.hpp"
@@ -151,10 +153,12 @@ void add_diagnosis(Registry& registry) {
   registry.add<NamedEffects>();
   registry.add<OtherChoices>();
   registry.add<SensorTiming>();
+  registry.add<SensorPickup>();
   registry.add<SensorFault>();
   registry.add<UnmeasuredInput>();
   registry.add<ColouredNoiseHypothesis>();
   registry.add<BrokenIdentity>();
+  registry.add<HeldCoefficients>();
   registry.add<SensorCalibration>();
   registry.add<InputSkew>();
   registry.add<InputInterpolation>();

@@ -46,7 +46,12 @@ Scope scope_of(const OdeModel& nominal, const BoundRecords& records, const Assim
   for (const Quantity& state : nominal.states()) states += is_formula_channel(state) ? 0 : 1;
   std::vector<SpectralLine> lines = spectral_lines(fit, kSpectralLines);
   const Vector noise = white_noise(noise_of(records));
-  if (states == nominal.dimension()) return make_scope(nominal, data, noise, std::move(lines));
+  const auto with_modulations = [&](Scope scope) {
+    scope.modulations = modulation_lines(fit, kSpectralLines);
+    return scope;
+  };
+  if (states == nominal.dimension())
+    return with_modulations(make_scope(nominal, data, noise, std::move(lines)));
   const auto count = static_cast<std::ptrdiff_t>(states);
   const OdeModel own(
       {nominal.states().begin(), nominal.states().begin() + count}, nominal.inputs(),
@@ -58,7 +63,7 @@ Scope scope_of(const OdeModel& nominal, const BoundRecords& records, const Assim
     record.states = Matrix(record.states.leftCols(states));
     if (record.marks.size() > 0) record.marks = Matrix(record.marks.leftCols(states));
   }
-  return make_scope(own, narrow, noise.head(states), std::move(lines));
+  return with_modulations(make_scope(own, narrow, noise.head(states), std::move(lines)));
 }
 
 /// The nominal coefficients fitted. Where states are hidden a large disturbance explains

@@ -13,6 +13,7 @@
 #include "diagnose/hypotheses/rough_fits.hpp"
 #include "diagnose/hypotheses/sensor_fault.hpp"
 #include "diagnose/search/effect_names.hpp"
+#include "sensor_composite.hpp"
 
 namespace lacuna {
 namespace {
@@ -295,15 +296,6 @@ NamedEffect named(const Problem& problem, const Baseline& given,
         {name->name + " of " + where, term_of(other), probability(fitted[i])});
   }
   return result;
-}
-
-/// What a composite model calls an effect.
-const NamedEffect& name_in(const CompositeModel& composite, const FittedEffect& effect) {
-  const std::vector<FittedEffect>& effects = composite.explanation.effects;
-  const auto found = std::find_if(effects.begin(), effects.end(), [&](const FittedEffect& one) {
-    return are_one_form(one.candidate, effect.candidate);
-  });
-  return composite.named[static_cast<std::size_t>(found - effects.begin())];
 }
 
 CompositeModel composite_of(const CompositeModel& best, const Baseline& given, Fitted own,

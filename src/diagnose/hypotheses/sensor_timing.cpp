@@ -8,12 +8,9 @@
 #include <vector>
 
 #include "channel_forms.hpp"
-#include "core/statistics/significance.hpp"
-#include "diagnose/hypotheses/input_noise.hpp"
 #include "diagnose/hypotheses/rough_fits.hpp"
 #include "diagnose/hypotheses/sensor_fault.hpp"
-#include "diagnose/search/effect_names.hpp"
-#include "forms/candidate/nesting.hpp"
+#include "sensor_composite.hpp"
 
 namespace lacuna {
 namespace {
@@ -248,49 +245,13 @@ class SensorSearch {
   Index tried_ = 0;
 };
 
-/// What a late sensor is called.
-NamedEffect named_sensor(const Problem& problem, const Baseline& base,
-                         const LateSensors& found, std::size_t e, Index tried) {
-  const FittedEffect& effect = found.explanation.effects[e];
-  ChannelName own = channel_name(effect, problem.nominal);
-  NamedEffect result{.equation = effect.candidate.equation, .place = Place::Channel};
-  take_name(effect,
-            {std::move(own.name), std::move(own.sentence),
-             "a filter in the measuring chain, means of samples, a speed made of differences",
-             Precedence::Plain, {effect.candidate.shapes.front().name}},
-            result);
-  const double gain = base.fitted.deviance - found.explanation.fit.deviance;
-  result.sigma = sigma_of_gain(gain, 2.0, static_cast<double>(tried));
-  result.gap_closed = fraction_closed(base.fitted, found.explanation.fit);
-  result.probability = 1.0;
-  result.tried = tried;
-  return result;
-}
-
-/// What a composite model calls an effect.
-const NamedEffect& name_given_to(const CompositeModel& composite, const FittedEffect& effect) {
-  const Effects& effects = composite.explanation.effects;
-  const auto found = std::find_if(effects.begin(), effects.end(), [&](const FittedEffect& one) {
-    return are_one_form(one.candidate, effect.candidate);
-  });
-  return composite.named[static_cast<std::size_t>(found - effects.begin())];
-}
-
-CompositeModel composite_with(const Problem& problem, const CompositeModel& best,
+CompositeModel late_composite(const Problem& problem, const CompositeModel& best,
                               const LateSensors& found, Index tried) {
-  CompositeModel composite{.hypothesis = std::string(kSensorTiming.name),
-                           .base = best.base,
-                           .explanation = found.explanation,
-                           .named = {},
-                           .rounds = best.rounds,
-                           .left = structure_left(problem, found.explanation.fit)};
-  for (std::size_t e = 0; e < found.explanation.effects.size(); ++e)
-    composite.named.push_back(
-        e < found.sensors ? named_sensor(problem, *best.base, found, e, tried)
-                          : name_given_to(best, found.explanation.effects[e]));
-  update_numbers(composite.explanation, composite.named);
-  composite.notes = best.notes;
-  return composite;
+  return composite_with(
+      problem, best,
+      {kSensorTiming.name,
+       "a filter in the measuring chain, means of samples, a speed made of differences",
+       found.explanation, found.sensors, tried});
 }
 
 std::string said_of(const std::vector<NamedEffect>& named) {
@@ -332,7 +293,7 @@ Proposals SensorTiming::do_propose(const Problem& problem, const CompositeModel&
   const LateSensors& found = *late;
   const double theirs = criterion_of(problem, *best.base, best.explanation);
   if (!(found.criterion < theirs + undecided)) return {};
-  CompositeModel own = composite_with(problem, best, found, search.tried());
+  CompositeModel own = late_composite(problem, best, found, search.tried());
   if (found.criterion + undecided < theirs && !search.is_one_lateness(found))
     return {{{.composite = std::move(own),
               .judged = ByRule{"sensors that are late explain the records better"}}},

@@ -7,11 +7,10 @@
 #include <utility>
 
 #include "diagnose/candidates/candidate_column.hpp"
+#include "explained_records.hpp"
 #include "free_run.hpp"
 #include "lacuna/data/records/marks.hpp"
 #include "model/equations/formula_channel.hpp"
-#include "trajectories/smoother/hidden_states.hpp"
-#include "trajectories/smoother/outlier_check.hpp"
 #include "trajectories/smoother/unknown_past.hpp"
 #include "trajectories/windows/window_gap.hpp"
 #include "trajectories/windows/window_paths.hpp"
@@ -54,50 +53,6 @@ double noise_floor(const NoiseModel& noise, const Vector& scale) {
     count += 1.0;
   }
   return std::sqrt(sum / count);
-}
-
-bool is_finite(const Dataset& data) {
-  return std::all_of(data.trajectories.begin(), data.trajectories.end(),
-                     [](const Trajectory& record) { return record.states.allFinite(); });
-}
-
-/// Records with states behind those that were measured.
-BoundRecords with_further_states(const BoundRecords& records, Dataset data) {
-  BoundRecords all{std::move(data), records.channels, {}};
-  all.channels.resize(all.data.states.size(), {.measured = false});
-  for (const Trajectory& record : all.data.trajectories)
-    all.outliers.push_back(marks_of(record));
-  return all;
-}
-
-/// The model on records, with noise of the kind that was found and without the summands that
-/// the measurement has: these are taken on the path, which moves with them. Marked samples that
-/// are outliers are left out.
-Assimilation without_faults(const Assimilation& found, BoundRecords& records,
-                            const std::vector<bool>& hidden, double outlying,
-                            const RunContext& context) {
-  Dataset& data = records.data;
-  AssimilationOptions options;
-  options.coloured = found.noise.coloured;
-  options.hidden = hidden;
-  Assimilation fit = assimilate_from_starts(found.model, records, options, context);
-  OutlierCheck outliers = check_outliers(found.model.states(), fit, outlying);
-  fit.omitted = std::move(outliers.outliers);
-  if (outliers.any_false) fit = assimilate_from(found.model, data, fit, options, context);
-  if (found.channel_terms.empty()) return fit;
-  constexpr int kPasses = 4;  // what a filter of a third of the time scale takes away: 1 %
-  records.outliers = fit.omitted;
-  std::vector<Matrix> given;
-  for (const Trajectory& record : data.trajectories) given.push_back(record.states);
-  for (int pass = 0; pass < kPasses; ++pass) {
-    for (std::size_t r = 0; r < fit.records.size(); ++r)
-      data.trajectories[r].states = without_channel_terms(
-          given[r], fit.records[r], found.model.variables(), found.channel_terms);
-    if (!is_finite(data)) return fit;
-    records = with_noise_anew(std::move(records));
-    fit = assimilate(found.model, records, options, context);
-  }
-  return fit;
 }
 
 /// The noise of a model with fewer states.
@@ -222,22 +177,13 @@ Gap not_measured(const Dataset& data) {
           .records = sources_of(data)};
 }
 
-}  // namespace
-
-Gap measure_gap(const OdeModel& nominal, const Explanation& explanation,
-                const HeldOutRecords& held_out, const RunContext& context) {
-  context.report("measuring the gap on records not used before", 0.0);
-  std::vector<Matrix> paths;
-  for (const Trajectory& record : held_out.corrected.trajectories)
-    paths.push_back(record.states);
-  AugmentedProblem problem =
-      augment(nominal, held_out.corrected, {}, explanation.effects, paths);
-  if (!is_finite(problem.data)) return not_measured(held_out.given.data);
-  BoundRecords records = with_further_states(held_out.given, std::move(problem.data));
-  const Assimilation fit =
-      without_faults(explanation.fit, records, hidden_states(nominal, held_out.corrected),
-                     held_out.outlying, context);
-  if (!is_finite(records.data)) return not_measured(held_out.given.data);
+/// The gap on records whose clocks are those of the explanation.
+Gap gap_on(const OdeModel& nominal, const Explanation& explanation,
+           const HeldOutRecords& held_out, const RunContext& context) {
+  const std::optional<ExplainedRecords> explained =
+      explained_records(nominal, explanation, held_out, context);
+  if (!explained) return not_measured(held_out.given.data);
+  const auto& [records, fit] = *explained;
   const Vector scale = deviations(records.data);
   const Index length = window_samples(fit);
   Comparison all;
@@ -270,6 +216,22 @@ Gap measure_gap(const OdeModel& nominal, const Explanation& explanation,
       std::move(runs),
       free.before,
       free.after};
+}
+
+}  // namespace
+
+Gap measure_gap(const OdeModel& nominal, const Explanation& explanation,
+                const HeldOutRecords& held_out, const RunContext& context) {
+  context.report("measuring the gap on records not used before", 0.0);
+  const Vector offsets = clock_offsets(nominal, explanation, held_out, context);
+  if (offsets.isZero(0.0)) return gap_on(nominal, explanation, held_out, context);
+  BoundRecords given = held_out.given;
+  given.data = with_clocks_ahead(std::move(given.data), offsets);
+  const Dataset corrected = with_clocks_ahead(held_out.corrected, offsets);
+  Gap gap = gap_on(nominal, explanation, {given, corrected, held_out.outlying}, context);
+  for (std::size_t r = 0; r < gap.runs.size(); ++r)
+    gap.runs[r].time.array() -= offsets[static_cast<Index>(r)];
+  return gap;
 }
 
 }  // namespace lacuna

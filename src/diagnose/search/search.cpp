@@ -349,14 +349,51 @@ bool prefer(const EffectSearch& search, const EffectSize& size, std::size_t e,
 }
 
 /// Where structure is left in the end, special forms that the likelihood prefers for it give
-/// way to plain ones.
-void prefer_plain(const EffectSearch& search, const EffectSize& size, FoundEffects& found) {
+/// way to plain ones. @return the first effect that did.
+std::optional<std::size_t> prefer_plain(const EffectSearch& search, const EffectSize& size,
+                                        FoundEffects& found) {
+  std::optional<std::size_t> first;
   for (std::size_t e = found.named.size(); e-- > 0;) {
     if (!is_left_in(found.left, decision_of(search), found.named[e].equation)) continue;
     const std::vector<OtherForm> plainer = found.plainer[e];
-    for (const OtherForm& form : plainer)
-      if (prefer(search, size, e, form, found)) break;
+    const bool changed =
+        std::any_of(plainer.begin(), plainer.end(), [&](const OtherForm& form) {
+          return prefer(search, size, e, form, found);
+        });
+    if (changed) first = e;
   }
+  return first;
+}
+
+/// Effects come in, one after another, as long as they may.
+void add_all(const EffectSearch& search, const EffectSize& size, FoundEffects& found) {
+  do {
+    found.left = structure_left(search.problem, found.explanation.fit);
+  } while (may_go_on(search, found) && add_in_time(search, size, found));
+}
+
+/// The first effects alone, with what is known of them.
+FoundEffects first_of(const EffectSearch& search, FoundEffects found, std::size_t count) {
+  std::vector<FittedEffect> effects = found.explanation.effects;
+  effects.erase(effects.begin() + static_cast<std::ptrdiff_t>(count), effects.end());
+  found.named.resize(count);
+  found.plainer.resize(count);
+  found.elsewhere.resize(count);
+  found.explanation = explain_from(search, found.explanation, effects);
+  return found;
+}
+
+/// prefer_plain(). What came in behind a special form was chosen for what that form leaves: it is
+/// sought again behind the plain one, and stays as it is where that is no better beyond doubt.
+void settle_forms(const EffectSearch& search, const EffectSize& size, std::size_t begin,
+                  FoundEffects& found) {
+  const std::optional<std::size_t> effect = prefer_plain(search, size, found);
+  if (!effect || *effect < begin || *effect + 1 >= found.named.size()) return;
+  FoundEffects again = first_of(search, found, *effect + 1);
+  add_all(search, size, again);
+  settle_forms(search, size, *effect + 1, again);
+  const double least = criterion_of(search, found.explanation) - decision_of(search).undecided;
+  if (criterion_of(search, again.explanation) < least) found = std::move(again);
 }
 
 /// Numbers may have moved since an effect was named: it gets the name that they have now.
@@ -380,10 +417,8 @@ FoundEffects search_effects(const EffectSearch& search) {
   const EffectSize size(search.problem, search.base);
   FoundEffects found{{{}, search.base.fitted}};
   try {
-    do {
-      found.left = structure_left(search.problem, found.explanation.fit);
-    } while (may_go_on(search, found) && add_in_time(search, size, found));
-    prefer_plain(search, size, found);
+    add_all(search, size, found);
+    settle_forms(search, size, 0, found);
     if (agree_on_forms(search, found))
       found.left = structure_left(search.problem, found.explanation.fit);
   } catch (const OutOfTime&) {

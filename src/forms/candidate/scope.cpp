@@ -175,7 +175,7 @@ Scope make_scope(const OdeModel& model, const Dataset& data, const Vector& noise
   check_dataset(data);
   if (noise.size() != data.state_count() || !noise.allFinite())
     throw ArgumentError("scope", "the noise is not one finite number per state", "");
-  Scope scope{model, {}, 0.0, 0.0, 0.0, std::move(lines), {}};
+  Scope scope{model, {}, 0.0, 0.0, 0.0, std::move(lines)};
   for (Index i = 0; i < data.state_count(); ++i) {
     scope.variables.push_back(make_range(model.states()[static_cast<std::size_t>(i)],
                                          sorted_samples(data, false, i)));

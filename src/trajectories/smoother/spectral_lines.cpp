@@ -6,6 +6,7 @@
 #include <complex>
 #include <numbers>
 #include <unsupported/Eigen/FFT>
+#include <utility>
 
 #include "lacuna/trajectories/smoother/disturbance_test.hpp"
 
@@ -23,6 +24,11 @@ std::size_t padded(Index samples) {
   std::size_t size = 1;
   while (size < 4 * static_cast<std::size_t>(samples)) size *= 2;
   return size;
+}
+
+void sort_by_power(std::vector<Peak>& peaks) {
+  std::stable_sort(peaks.begin(), peaks.end(),
+                   [](const Peak& a, const Peak& b) { return a.power > b.power; });
 }
 
 /// Local maxima of one equation's spectrum, strongest first.
@@ -49,17 +55,28 @@ std::vector<Peak> peaks_of(const LinearisedRecord& record, const Vector& disturb
     peaks.push_back(
         {{equation, frequency, std::remainder(phase, 2.0 * std::numbers::pi)}, power});
   }
-  std::stable_sort(peaks.begin(), peaks.end(),
-                   [](const Peak& a, const Peak& b) { return a.power > b.power; });
+  sort_by_power(peaks);
   return peaks;
+}
+
+std::size_t longest_of(const Assimilation& fit) {
+  std::size_t longest = 0;
+  for (std::size_t r = 0; r < fit.records.size(); ++r)
+    if (fit.records[r].samples() > fit.records[longest].samples()) longest = r;
+  return longest;
+}
+
+/// A term in the middle of the steps of a record.
+Vector in_middles(const LinearisedRecord& record, const Vector& everywhere) {
+  Vector values(record.steps());
+  for (Index i = 0; i < values.size(); ++i) values[i] = everywhere[record.grid.middle(i)];
+  return values;
 }
 
 }  // namespace
 
 std::vector<SpectralLine> spectral_lines(const Assimilation& fit, Index count) {
-  std::size_t longest = 0;
-  for (std::size_t r = 0; r < fit.records.size(); ++r)
-    if (fit.records[r].samples() > fit.records[longest].samples()) longest = r;
+  const std::size_t longest = longest_of(fit);
   const Matrix disturbance = disturbance_along(fit, longest);
   std::vector<Peak> all;
   for (Index k = 0; k < disturbance.cols(); ++k) {
@@ -68,10 +85,33 @@ std::vector<SpectralLine> spectral_lines(const Assimilation& fit, Index count) {
     peaks.resize(std::min(peaks.size(), static_cast<std::size_t>(count)));
     all.insert(all.end(), peaks.begin(), peaks.end());
   }
-  std::stable_sort(all.begin(), all.end(),
-                   [](const Peak& a, const Peak& b) { return a.power > b.power; });
+  sort_by_power(all);
   std::vector<SpectralLine> lines;
   for (const Peak& peak : all) lines.push_back(peak.line);
+  return lines;
+}
+
+std::vector<ModulationLine> modulation_lines(const Assimilation& fit, Index count) {
+  const std::size_t longest = longest_of(fit);
+  const LinearisedRecord& record = fit.records[longest];
+  const Matrix disturbance = disturbance_along(fit, longest);
+  std::vector<ModulationLine> lines;
+  for (Index k = 0; k < disturbance.cols(); ++k) {
+    if (fit.noise.disturbance[k] == 0.0) continue;
+    std::vector<std::pair<double, ModulationLine>> own;
+    for (const WeightedTerm& summand : fit.model.equations()[static_cast<std::size_t>(k)]) {
+      const Expression& term = summand.term.expression();
+      if (term.variables().empty()) continue;
+      const Vector m = in_middles(record, evaluate_on(record, fit.model.variables(), term));
+      const auto peaks = peaks_of(record, m.cwiseProduct(disturbance.col(k)), k);
+      if (!peaks.empty())
+        own.push_back({peaks.front().power / m.squaredNorm(), {peaks.front().line, term}});
+    }
+    std::stable_sort(own.begin(), own.end(),
+                     [](const auto& a, const auto& b) { return a.first > b.first; });
+    own.resize(std::min(own.size(), static_cast<std::size_t>(count)));
+    for (auto& [power, line] : own) lines.push_back(std::move(line));
+  }
   return lines;
 }
 

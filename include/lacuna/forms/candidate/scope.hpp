@@ -21,6 +21,13 @@ struct SpectralLine {
   double phase = 0.0;      ///< of sin(2 pi frequency t + phase), rad
 };
 
+/// A line in the spectrum of the product of that residual and a term of the equation: where the
+/// coefficient of the term may swing.
+struct ModulationLine {
+  SpectralLine line;
+  Expression term;
+};
+
 /// How one variable (or a formula of variables) is spread over the records.
 struct VariableRange {
   std::string name;
@@ -58,6 +65,7 @@ struct Scope {
   double start = 0.0;                    ///< first time
   double duration = 0.0;                 ///< of the longest record
   std::vector<SpectralLine> lines;       ///< strongest first; starts for periodic effects
+  std::vector<ModulationLine> modulations = {};  ///< strongest first; starts for coefficients
   /// rows x (m+p+1+d): some samples of the variables and t in slot order, then of the delayed
   /// variables that the model has, as delayed_slots() has them.
   Matrix samples = {};

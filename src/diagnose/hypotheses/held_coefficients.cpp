@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: MIT
+#include "diagnose/hypotheses/held_coefficients.hpp"
+
+#include <cmath>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/base/text.hpp"
+#include "corrected_inputs.hpp"
+#include "diagnose/journey/identifiability.hpp"
+#include "model/equations/formula_channel.hpp"
+
+namespace lacuna {
+namespace {
+
+const WeightedTerm& term_at(const OdeModel& model, const CoefficientPlace& place) {
+  return model.equations()[static_cast<std::size_t>(place.equation)]
+                          [static_cast<std::size_t>(place.term)];
+}
+
+/// Fixed coefficients of equations that are no definitions.
+std::vector<CoefficientPlace> held_places(const OdeModel& nominal, const Scope& scope) {
+  std::vector<CoefficientPlace> held;
+  for (Index k = 0; k < scope.model.dimension(); ++k) {
+    if (scope.is_identity(k)) continue;
+    const auto count =
+        static_cast<Index>(nominal.equations()[static_cast<std::size_t>(k)].size());
+    for (Index j = 0; j < count; ++j)
+      if (term_at(nominal, {k, j}).fixed) held.push_back({k, j});
+  }
+  return held;
+}
+
+/// The baseline with further coefficients to fit.
+Baseline with_free(const Problem& problem, const Baseline& base,
+                   const std::vector<CoefficientPlace>& further) {
+  std::vector<CoefficientPlace> free = base.fit_options.free;
+  free.insert(free.end(), further.begin(), further.end());
+  const Problem same{problem.nominal, *base.records, problem.options, problem.context,
+                     problem.memory};
+  Baseline next = fitted_baseline(same, base.given, std::move(free));
+  next.parameters = base.parameters;
+  next.correct = base.correct;
+  next.notes.insert(next.notes.begin(), base.notes.begin(), base.notes.end());
+  return next;
+}
+
+/// Those of the further coefficients that are significantly other than the model says.
+std::vector<CoefficientPlace> contradicted(const Problem& problem, const Baseline& freed,
+                                           const std::vector<CoefficientPlace>& further) {
+  const Assimilation& fit = freed.fitted;
+  if (fit.free.size() < further.size()) return {};  // the records determine none of them
+  const std::size_t first = fit.free.size() - further.size();
+  std::vector<CoefficientPlace> moved;
+  for (std::size_t i = 0; i < further.size(); ++i) {
+    const auto row = static_cast<Index>(first + i);
+    const double change = std::abs(term_at(fit.model, further[i]).coefficient -
+                                   term_at(problem.nominal, further[i]).coefficient);
+    const double error = std::sqrt(std::max(0.0, fit.covariance(row, row)));
+    if (!is_held(fit, row) && change > problem.options.decision.significance * error)
+      moved.push_back(further[i]);
+  }
+  return moved;
+}
+
+std::string note_on(const OdeModel& nominal, const std::vector<CoefficientPlace>& places) {
+  std::vector<std::string> all;
+  for (const CoefficientPlace& place : places) {
+    const WeightedTerm& term = term_at(nominal, place);
+    const auto k = static_cast<std::size_t>(place.equation);
+    all.push_back("that of " + term.term.name() + " in d" + nominal.states()[k].name +
+                  "/dt at " + format_number(term.coefficient));
+  }
+  return "the model holds coefficients (" + join(all, ", ") +
+         ") that the records contradict: they are fitted; a gain of the channel does the same";
+}
+
+}  // namespace
+
+Proposals HeldCoefficients::do_propose(const Problem& problem,
+                                       const CompositeModel& best) const {
+  const Baseline& base = *best.base;
+  const std::vector<CoefficientPlace> held = held_places(problem.nominal, base.scope);
+  if (held.empty() || !is_anything_missing(problem, best)) return {};
+  problem.context.report("fitting coefficients that the model holds", 0.0);
+  Baseline freed = with_free(problem, base, held);
+  const std::vector<CoefficientPlace> moved = contradicted(problem, freed, held);
+  if (moved.empty()) return {};
+  if (moved.size() < held.size()) freed = with_free(problem, base, moved);
+  freed.notes.push_back(note_on(problem.nominal, moved));
+  CompositeModel composite =
+      bare_composite(problem, std::string(info().name),
+                     std::make_shared<const Baseline>(std::move(freed)));
+  composite.findings = best.findings;
+  return {{{.composite = std::move(composite), .search_first = true}}, {}};
+}
+
+}  // namespace lacuna
