@@ -18,11 +18,12 @@ ShapeParameter zero_of(const VariableRange& range) {
   return {"zero", range.unit, -range.low, -range.low + kFarthest * spread, false};
 }
 
-// Of the absolute temperature, whose zero the unit may have elsewhere.
+// Of the absolute temperature, whose zero the unit may have elsewhere. What moves through the zero
+// of its own unit is hardly one at which radiation counts.
 std::vector<Candidate> radiation_forms(const Scope& scope, Index equation) {
   const VariableRange& range = scope.state(equation);
   const double spread = range.high - range.low;
-  if (!(spread > 0.0) || is_velocity(scope, equation)) return {};
+  if (!(spread > 0.0) || is_velocity(scope, equation) || range.changes_sign()) return {};
   const Expression x = own_state(scope, equation);
   const double least = -range.low;
   return {shaped_candidate(

@@ -238,12 +238,22 @@ bool stands_alone(const FoundInput& input, const std::vector<EquationStructure>&
          !is_a_factor(input, search);
 }
 
+/// Whether an effect is a function of time: where it leaves structure, something acted from outside
+/// that need not be of its form.
+bool is_of_time(const std::vector<FittedEffect>& effects) {
+  return std::any_of(effects.begin(), effects.end(), [](const FittedEffect& effect) {
+    return effect.candidate.depends_on("t");
+  });
+}
+
 }  // namespace
 
 Proposals UnmeasuredInput::do_propose(const Problem& problem,
                                       const CompositeModel& best) const {
   const DecisionOptions& decision = problem.options.decision;
-  if (!leaves_structure(best, decision) || shows_the_motion(best, problem)) return {};
+  if (!leaves_structure(best, decision) ||
+      (shows_the_motion(best, problem) && !is_of_time(best.explanation.effects)))
+    return {};
   const Baseline& base = *best.base;
   const auto structure = test_disturbances(base.fitted, problem.context);
   const Search search{problem, base, structure.empty() ? 0 : structure.front().equation,
