@@ -24,6 +24,7 @@ Scope reversed(const EffectSystem& system) {
   std::reverse(scope.variables.begin(), scope.variables.begin() + m);
   scope.samples.leftCols(m) = scope.samples.leftCols(m).rowwise().reverse().eval();
   for (SpectralLine& line : scope.lines) line.equation = m - 1 - line.equation;
+  for (ModulationLine& one : scope.modulations) one.line.equation = m - 1 - one.line.equation;
   scope.model = turned;
   return scope;
 }
@@ -42,6 +43,7 @@ Scope scaled(const EffectSystem& system, double scale, double pace) {
   scope.samples.col(last) *= pace;
   for (double* value : {&scope.step, &scope.start, &scope.duration}) *value *= pace;
   for (SpectralLine& line : scope.lines) line.frequency /= pace;
+  for (ModulationLine& one : scope.modulations) one.line.frequency /= pace;
   std::vector<Equation> equations = scope.model.equations();
   for (Equation& equation : equations)
     for (WeightedTerm& summand : equation) {

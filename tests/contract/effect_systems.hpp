@@ -18,10 +18,12 @@ struct EffectSystem {
   OdeModel model;
   double centre = 0.0;  ///< about which every variable swings by 1
   std::vector<SpectralLine> lines = {};
+  std::vector<ModulationLine> modulations = {};
 
   Scope scope() const {
     Scope scope = support::scope_of(model, centre);
     scope.lines = lines;
+    scope.modulations = modulations;
     return scope;
   }
 };
@@ -37,7 +39,10 @@ inline std::vector<EffectSystem> effect_systems() {
                       {"u", "w"}),
        0.0,
        {{1, 0.7, 0.5}}},
-      {model_of_lines({{"a", {{"b", -1.0}}}, {"b", {{"a*b", 1.0}, {"u", 1.0}}}}, {"u"}), 2.0}};
+      {model_of_lines({{"a", {{"b", -1.0}}}, {"b", {{"a*b", 1.0}, {"u", 1.0}}}}, {"u"}),
+       2.0,
+       {},
+       {{{1, 0.3, 0.1}, parse_expression("a*b")}}}};
 }
 
 /// A candidate with numbers for its shapes and its coefficient.

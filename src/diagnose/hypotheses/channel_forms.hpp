@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
-// What a channel may add to the state that it measures.
+// What a channel may add to the state that it measures, and composite models in which it does.
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
-#include "lacuna/diagnose/candidates/explanation.hpp"
+#include "lacuna/diagnose/hypotheses/composite_model.hpp"
 #include "lacuna/forms/candidate/scope.hpp"
 
 namespace lacuna {
@@ -32,5 +33,23 @@ struct ChannelName {
 
 /// @param effect of channel_forms() or late_channel_forms().
 ChannelName channel_name(const FittedEffect& effect, const OdeModel& model);
+
+/// What a composite model calls one of its effects.
+const NamedEffect& name_in(const CompositeModel& composite, const FittedEffect& effect);
+
+/// What sensors show in the place of effects of a composite model.
+struct SensorFinding {
+  std::string_view hypothesis;
+  std::string cause;  ///< of what the sensors show
+  /// Sensors first, with forms of channel_forms() or late_channel_forms(); then effects of the
+  /// composite model before.
+  Explanation explanation;
+  std::size_t sensors = 0;
+  Index tried = 0;
+};
+
+/// The composite model of a finding on the baseline of the one before.
+CompositeModel composite_with(const Problem& problem, const CompositeModel& before,
+                              const SensorFinding& finding);
 
 }  // namespace lacuna

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "diagnose/hypotheses/held_coefficients.hpp"
+#include "diagnose/hypotheses/broken_identity.hpp"
 
 #include <cmath>
 #include <memory>
@@ -10,7 +10,6 @@
 #include "core/base/text.hpp"
 #include "corrected_inputs.hpp"
 #include "diagnose/journey/identifiability.hpp"
-#include "model/equations/formula_channel.hpp"
 
 namespace lacuna {
 namespace {

@@ -6,11 +6,9 @@
 
 #include "diagnose/hypotheses/broken_identity.hpp"
 #include "diagnose/hypotheses/coloured_noise.hpp"
-#include "diagnose/hypotheses/held_coefficients.hpp"
 #include "diagnose/hypotheses/named_effects.hpp"
 #include "diagnose/hypotheses/residual_function.hpp"
 #include "diagnose/hypotheses/sensor_fault.hpp"
-#include "diagnose/hypotheses/sensor_pickup.hpp"
 #include "diagnose/hypotheses/shared_process.hpp"
 #include "diagnose/hypotheses/unmeasured_input.hpp"
 
@@ -18,9 +16,9 @@ namespace lacuna {
 
 std::vector<Stage<Hypothesis>> standard_hypotheses() {
   return in_order({NamedEffects{}, OtherChoices{}, SensorPickup{}, SensorTiming{}, SensorFault{},
-                   UnmeasuredInput{}, ColouredNoiseHypothesis{}, BrokenIdentity{}, HeldCoefficients{},
-                   SensorCalibration{}, InputSkew{}, InputInterpolation{}, InputSmoothing{},
-                   ResidualFunction{}, SharedProcess{}});
+                   UnmeasuredInput{}, ColouredNoiseHypothesis{}, BrokenIdentity{},
+                   HeldCoefficients{}, SensorCalibration{}, InputSkew{}, InputInterpolation{},
+                   InputSmoothing{}, ResidualFunction{}, SharedProcess{}});
 }
 
 std::vector<Stage<Hypothesis>> in_order(std::vector<Stage<Hypothesis>> hypotheses) {

@@ -13,7 +13,6 @@
 #include "diagnose/hypotheses/rough_fits.hpp"
 #include "diagnose/hypotheses/sensor_fault.hpp"
 #include "diagnose/search/effect_names.hpp"
-#include "sensor_composite.hpp"
 
 namespace lacuna {
 namespace {

@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "sensor_composite.hpp"
+#include "channel_forms.hpp"
 
 #include <algorithm>
 #include <utility>
 
-#include "channel_forms.hpp"
 #include "core/statistics/significance.hpp"
 #include "diagnose/hypotheses/input_noise.hpp"
 #include "diagnose/search/effect_names.hpp"
-#include "forms/candidate/nesting.hpp"
 
 namespace lacuna {
 namespace {

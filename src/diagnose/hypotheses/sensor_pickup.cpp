@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "diagnose/hypotheses/sensor_pickup.hpp"
+#include "diagnose/hypotheses/sensor_fault.hpp"
 
 #include <cmath>
 #include <numbers>
@@ -7,9 +7,9 @@
 #include <utility>
 #include <vector>
 
+#include "channel_forms.hpp"
 #include "diagnose/hypotheses/rough_fits.hpp"
 #include "lacuna/effects/patterns.hpp"
-#include "sensor_composite.hpp"
 
 namespace lacuna {
 namespace {

@@ -10,7 +10,6 @@
 #include "channel_forms.hpp"
 #include "diagnose/hypotheses/rough_fits.hpp"
 #include "diagnose/hypotheses/sensor_fault.hpp"
-#include "sensor_composite.hpp"
 
 namespace lacuna {
 namespace {

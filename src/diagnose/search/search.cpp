@@ -7,9 +7,9 @@
 #include <utility>
 
 #include "core/base/parallel.hpp"
-#include "diagnose/criterion/effect_parts.hpp"
 #include "diagnose/hypotheses/input_noise.hpp"
 #include "diagnose/hypotheses/named_effects.hpp"
+#include "effect_shortfall.hpp"
 #include "effect_size.hpp"
 #include "shared_form.hpp"
 
@@ -27,79 +27,6 @@ Explanation explain_from(const EffectSearch& search, const Explanation& start,
 
 double criterion_of(const EffectSearch& search, const Explanation& explanation) {
   return criterion_of(search.problem, search.base, explanation);
-}
-
-/// Coefficient over its standard error; infinite where it has none.
-double ratio_to_error(const FittedEffect& effect) {
-  return effect.deviation > 0.0 ? std::abs(effect.coefficient) / effect.deviation : INFINITY;
-}
-
-/// Why the numbers of an explanation with one more effect make no sense: what it adds nearly
-/// cancels what the others do, or a nominal coefficient that was as it was given is not any
-/// more. Where structure is left such forms, which follow it for a step or two, gain most.
-std::optional<Shortfall> absurdity(const EffectSearch& search, const Explanation& before,
-                                   const RankedEffect& ranked) {
-  const DecisionOptions& decision = decision_of(search);
-  const OdeModel& nominal = search.problem.nominal;
-  const double left = largest_cancellation(added_parts(ranked.explanation, nominal,
-                                                       ranked.effect().candidate.equation))
-                          .left;
-  if (left < decision.cancelling)
-    return Shortfall{"the rest of terms that cancel", left, decision.cancelling};
-  const auto moved = [&](const Assimilation& fit) {
-    const std::size_t free = search.base.fit_options.free.size();
-    return static_cast<double>(moved_coefficients(fit, nominal, free, decision).size());
-  };
-  const double had = moved(before.fit), has = moved(ranked.explanation.fit);
-  if (has > had) return Shortfall{"nominal coefficients out of scale", has, had};
-  return std::nullopt;
-}
-
-/// Nominal coefficients that contradict what was said of them: losses (of a state in its own
-/// equation, negative as they were given) that have become gains, and those that are ten of
-/// their tolerances off.
-double contradicted(const EffectSearch& search, const Assimilation& fit) {
-  // A decision (docs/decisions.md).
-  constexpr double kMostTolerances = 10.0;
-  const OdeModel& nominal = search.problem.nominal;
-  double count = 0.0;
-  for (const MovedCoefficient& one : moved_coefficients(
-           fit, nominal, search.base.fit_options.free.size(), decision_of(search)))
-    count += one.given < 0.0 && one.changes_sign() &&
-             one.term == nominal.states()[static_cast<std::size_t>(one.equation)].name;
-  for (const CoefficientPrior& prior : search.problem.options.tolerances) {
-    const auto k = static_cast<std::size_t>(prior.place.equation);
-    const auto term = static_cast<std::size_t>(prior.place.term);
-    const double fitted = fit.model.equations()[k][term].coefficient;
-    count += std::abs(fitted - prior.mean) > kMostTolerances * prior.deviation;
-  }
-  return count;
-}
-
-/// An effect has no name where it needs what contradicts the nominal model.
-std::optional<Shortfall> turned_losses(const EffectSearch& search, const Explanation& before,
-                                       const RankedEffect& ranked) {
-  const double had = contradicted(search, before.fit);
-  const double has = contradicted(search, ranked.explanation.fit);
-  if (has > had) return Shortfall{"nominal coefficients that are contradicted", has, had};
-  return std::nullopt;
-}
-
-/// The gain has to be the effect's own: with a coefficient that is not distinguished from 0 it
-/// is that of effects before it, whose shapes have moved.
-std::optional<Shortfall> shortfall(const EffectSearch& search, const EffectSize& size,
-                                   Extended& before, const RankedEffect& ranked) {
-  const DecisionOptions& decision = decision_of(search);
-  if (ranked.sigma < decision.significance)
-    return Shortfall{"significance", ranked.sigma, decision.significance};
-  if (ranked.contribution < decision.effect_size)
-    return Shortfall{"effect size", ranked.contribution, decision.effect_size};
-  if (const double ratio = ratio_to_error(ranked.effect()); ratio < decision.significance)
-    return Shortfall{"coefficient over its error", ratio, decision.significance};
-  if (const auto turned = turned_losses(search, before.explanation, ranked)) return turned;
-  if (before.explanation.effects.empty()) return std::nullopt;
-  if (const auto absurd = absurdity(search, before.explanation, ranked)) return absurd;
-  return size.shortfall(before, ranked.explanation);
 }
 
 /// Drop of the disturbance variance of an equation, as a fraction of the baseline's.
@@ -121,21 +48,27 @@ bool all_named(const EffectSearch& search, const Explanation& explanation) {
                       });
 }
 
+FoundEffects without_effect(const EffectSearch& search, FoundEffects found, std::size_t e) {
+  const auto place = static_cast<std::ptrdiff_t>(e);
+  std::vector<FittedEffect> rest = found.explanation.effects;
+  rest.erase(rest.begin() + place);
+  found.explanation = explain_from(search, found.explanation, rest);
+  found.named.erase(found.named.begin() + place);
+  found.plainer.erase(found.plainer.begin() + place);
+  found.elsewhere.erase(found.elsewhere.begin() + place);
+  return found;
+}
+
 /// Takes out the first effect that is not distinguished from 0 any more, if the records are
 /// explained no worse without it. @return whether there was one.
 bool take_out_one(const EffectSearch& search, FoundEffects& found) {
   for (std::size_t e = 0; e + 1 < found.explanation.effects.size(); ++e) {
     if (ratio_to_error(found.explanation.effects[e]) >= decision_of(search).significance)
       continue;
-    const auto place = static_cast<std::ptrdiff_t>(e);
-    std::vector<FittedEffect> rest = found.explanation.effects;
-    rest.erase(rest.begin() + place);
-    Explanation smaller = explain_from(search, found.explanation, rest);
-    if (criterion_of(search, smaller) > criterion_of(search, found.explanation)) continue;
-    found.explanation = std::move(smaller);
-    found.named.erase(found.named.begin() + place);
-    found.plainer.erase(found.plainer.begin() + place);
-    found.elsewhere.erase(found.elsewhere.begin() + place);
+    FoundEffects smaller = without_effect(search, found, e);
+    if (criterion_of(search, smaller.explanation) > criterion_of(search, found.explanation))
+      continue;
+    found = std::move(smaller);
     return true;
   }
   return false;
@@ -334,6 +267,13 @@ bool may_go_on(const EffectSearch& search, const FoundEffects& found) {
   return found.named.empty() || is_left_in(found.left, decision);
 }
 
+/// Effects come in, one after another, as long as they may.
+void add_all(const EffectSearch& search, const EffectSize& size, FoundEffects& found) {
+  do {
+    found.left = structure_left(search.problem, found.explanation.fit);
+  } while (may_go_on(search, found) && add_in_time(search, size, found));
+}
+
 /// Puts a plainer form in the place of an effect where it leaves hardly more.
 bool prefer(const EffectSearch& search, const EffectSize& size, std::size_t e,
             const OtherForm& plainer, FoundEffects& found) {
@@ -349,51 +289,49 @@ bool prefer(const EffectSearch& search, const EffectSize& size, std::size_t e,
 }
 
 /// Where structure is left in the end, special forms that the likelihood prefers for it give
-/// way to plain ones. @return the first effect that did.
-std::optional<std::size_t> prefer_plain(const EffectSearch& search, const EffectSize& size,
-                                        FoundEffects& found) {
-  std::optional<std::size_t> first;
+/// way to plain ones. @return whether any did.
+bool prefer_plain(const EffectSearch& search, const EffectSize& size, FoundEffects& found) {
+  bool changed = false;
   for (std::size_t e = found.named.size(); e-- > 0;) {
     if (!is_left_in(found.left, decision_of(search), found.named[e].equation)) continue;
     const std::vector<OtherForm> plainer = found.plainer[e];
-    const bool changed =
-        std::any_of(plainer.begin(), plainer.end(), [&](const OtherForm& form) {
-          return prefer(search, size, e, form, found);
-        });
-    if (changed) first = e;
+    changed |= std::any_of(plainer.begin(), plainer.end(), [&](const OtherForm& form) {
+      return prefer(search, size, e, form, found);
+    });
   }
-  return first;
+  return changed;
 }
 
-/// Effects come in, one after another, as long as they may.
-void add_all(const EffectSearch& search, const EffectSize& size, FoundEffects& found) {
-  do {
-    found.left = structure_left(search.problem, found.explanation.fit);
-  } while (may_go_on(search, found) && add_in_time(search, size, found));
-}
-
-/// The first effects alone, with what is known of them.
-FoundEffects first_of(const EffectSearch& search, FoundEffects found, std::size_t count) {
-  std::vector<FittedEffect> effects = found.explanation.effects;
-  effects.erase(effects.begin() + static_cast<std::ptrdiff_t>(count), effects.end());
-  found.named.resize(count);
-  found.plainer.resize(count);
-  found.elsewhere.resize(count);
-  found.explanation = explain_from(search, found.explanation, effects);
-  return found;
-}
-
-/// prefer_plain(). What came in behind a special form was chosen for what that form leaves: it is
-/// sought again behind the plain one, and stays as it is where that is no better beyond doubt.
-void settle_forms(const EffectSearch& search, const EffectSize& size, std::size_t begin,
-                  FoundEffects& found) {
-  const std::optional<std::size_t> effect = prefer_plain(search, size, found);
-  if (!effect || *effect < begin || *effect + 1 >= found.named.size()) return;
-  FoundEffects again = first_of(search, found, *effect + 1);
-  add_all(search, size, again);
-  settle_forms(search, size, *effect + 1, again);
+/// Puts the best candidate in the place of an effect where that is better beyond doubt.
+void exchange(const EffectSearch& search, const EffectSize& size, std::size_t e,
+              FoundEffects& found) {
+  FoundEffects rest = without_effect(search, found, e);
+  const Ranking ranking = rank(search, rest.explanation);
+  Extended before{rest.explanation};
   const double least = criterion_of(search, found.explanation) - decision_of(search).undecided;
-  if (criterion_of(search, again.explanation) < least) found = std::move(again);
+  for (const RankedEffect& ranked : ranking.effects) {
+    if (!(ranked.criterion < least) || other_form_of(search, rest, ranked) ||
+        shortfall(search, size, before, ranked))
+      continue;
+    rest.rounds.push_back({ranking.tried,
+                           ranked.names.front().name + ": " + term_of(ranked.effect()),
+                           ranked.sigma, true});
+    add(search, ranked, ranking, rest);
+    found = std::move(rest);
+    found.left = structure_left(search.problem, found.explanation.fit);
+    return;
+  }
+}
+
+/// Plain forms where they do. What came in beside a special form was chosen for what that form
+/// leaves: beside a plain one each effect has to be the best in its place once more, and then
+/// others may come in.
+void settle_forms(const EffectSearch& search, const EffectSize& size, FoundEffects& found) {
+  if (!prefer_plain(search, size, found) || found.named.size() < 2) return;
+  for (std::size_t e = found.named.size(); e-- > 0;)
+    if (e < found.named.size()) exchange(search, size, e, found);
+  add_all(search, size, found);
+  prefer_plain(search, size, found);
 }
 
 /// Numbers may have moved since an effect was named: it gets the name that they have now.
@@ -418,7 +356,7 @@ FoundEffects search_effects(const EffectSearch& search) {
   FoundEffects found{{{}, search.base.fitted}};
   try {
     add_all(search, size, found);
-    settle_forms(search, size, 0, found);
+    settle_forms(search, size, found);
     if (agree_on_forms(search, found))
       found.left = structure_left(search.problem, found.explanation.fit);
   } catch (const OutOfTime&) {

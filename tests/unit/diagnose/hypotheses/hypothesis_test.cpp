@@ -19,10 +19,10 @@ std::vector<std::string> names_of(const std::vector<Stage<Hypothesis>>& hypothes
 TEST(HypothesisOrder, PhaseComesFirstThenTheOrderInIt) {
   EXPECT_EQ(names_of(standard_hypotheses()),
             (std::vector<std::string>{
-                "named-effects", "other-choices", "sensor-timing", "sensor-fault",
+                "named-effects", "other-choices", "sensor-pickup", "sensor-timing", "sensor-fault",
                 "sensor-calibration", "shared-process", "unmeasured-input", "coloured-noise",
-                "broken-identity", "input-interpolation", "input-smoothing", "input-skew",
-                "residual-function"}));
+                "held-coefficients", "broken-identity", "input-interpolation",
+                "input-smoothing", "input-skew", "residual-function"}));
 }
 
 TEST(HypothesisOrder, DoesNotDependOnTheOrderInWhichTheyAreGiven) {

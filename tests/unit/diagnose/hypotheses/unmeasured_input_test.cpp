@@ -6,7 +6,9 @@
 #include <cmath>
 
 #include "lacuna/effects/families.hpp"
+#include "diagnose/hypotheses/input_noise.hpp"
 #include "support/asked.hpp"
+#include "support/assimilated_oscillator.hpp"
 
 namespace lacuna {
 namespace {
@@ -83,6 +85,26 @@ TEST(UnmeasuredInput, ThresholdsDecideWhetherItIsEvident) {
   const CompositeModel bare = asked.bare();
   asked.options.decision.undecided = 1e6;  // no evidence is enough
   EXPECT_TRUE(UnmeasuredInput().propose(asked.problem(), bare).composites.empty());
+}
+
+TEST(UnmeasuredInput, TakesThePlaceOfAFunctionOfTimeThatLeavesStructure) {
+  // A slow process looks like a line over one record, and shows most of its motion.
+  const auto slow = [](double t, double q, double v) {
+    return 0.1 * t + 0.5 * gusts(t, q, v);
+  };
+  const support::Asked asked = asked_with(slow);
+  CompositeModel best = asked.bare();
+  const Candidate line = support::plain_candidate("t");
+  best.explanation = explain_on(asked.problem(), *best.base, best.base->fitted,
+                                {{line, Vector(0), 0.1, 0.0}});
+  best.named = {{.equation = 1, .name = "time-trend", .probability = 0.9}};
+  best.left = structure_left(asked.problem(), best.explanation.fit);
+  ASSERT_TRUE(leaves_structure(best, asked.options.decision));
+  ASSERT_TRUE(shows_the_motion(best, asked.problem()));
+  const Proposals made = UnmeasuredInput().propose(asked.problem(), best);
+  ASSERT_EQ(made.composites.size(), 1u);
+  ASSERT_EQ(made.composites[0].composite.named.size(), 1u);
+  EXPECT_EQ(made.composites[0].composite.named[0].name, "unmeasured-input");
 }
 
 }  // namespace

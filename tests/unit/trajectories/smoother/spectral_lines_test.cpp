@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -23,6 +24,24 @@ TEST(SpectralLines, FindFrequencyAndPhaseOfATone) {
   const double resolution = 1.0 / (fit.records.front().time.tail<1>()[0]);
   EXPECT_NEAR(lines[0].frequency, kFrequency, 0.25 * resolution);
   EXPECT_NEAR(std::remainder(lines[0].phase - kPhase, 2.0 * std::numbers::pi), 0.0, 0.8);
+}
+
+TEST(ModulationLines, FindWhereACoefficientSwings) {
+  constexpr double kFrequency = 0.35, kPhase = 0.7;
+  const auto swinging = [](double t, double q, double) {
+    return q * std::sin(2.0 * std::numbers::pi * kFrequency * t + kPhase);
+  };
+  const Assimilation fit = support::assimilated(support::hidden_record(swinging, 1e-3));
+  const std::vector<ModulationLine> lines = modulation_lines(fit, 3);
+  ASSERT_EQ(lines.size(), 3u);  // one for each term of dv/dt
+  const auto found = std::find_if(lines.begin(), lines.end(), [](const ModulationLine& one) {
+    return one.term.to_string() == "q";
+  });
+  ASSERT_NE(found, lines.end());
+  EXPECT_EQ(found->line.equation, 1);
+  const double resolution = 1.0 / (fit.records.front().time.tail<1>()[0]);
+  EXPECT_NEAR(found->line.frequency, kFrequency, 0.5 * resolution);
+  EXPECT_NEAR(std::remainder(found->line.phase - kPhase, 2.0 * std::numbers::pi), 0.0, 1.2);
 }
 
 }  // namespace

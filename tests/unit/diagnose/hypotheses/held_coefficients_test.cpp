@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+#include "diagnose/hypotheses/broken_identity.hpp"
+
+#include <gtest/gtest.h>
+
+#include "lacuna/diagnose/journey/diagnose.hpp"
+#include "support/asked.hpp"
+#include "support/assimilated_oscillator.hpp"
+
+namespace lacuna {
+namespace {
+
+/// The oscillator whose force acts as it was measured, whatever the records show.
+OdeModel with_known_force() {
+  OdeModel model = support::oscillator();
+  std::vector<Equation> equations = model.equations();
+  for (WeightedTerm& summand : equations[1])
+    if (summand.term.name() == "F") summand.fixed = true;
+  return model.with_equations(std::move(equations)).with_holds({Hold::Smooth});
+}
+
+/// A record whose load cell shows so much more than the force.
+Dataset shown_force(const support::Hidden& hidden, double gain, std::uint64_t seed = 3,
+                    double start = 0.5) {
+  Dataset data = support::hidden_record(hidden, 0.005, seed, start);
+  for (Trajectory& record : data.trajectories) record.inputs *= gain;
+  return data;
+}
+
+support::Asked asked_of(const support::Hidden& hidden, double gain) {
+  return {.records = observed(shown_force(hidden, gain)), .nominal = with_known_force()};
+}
+
+TEST(HeldCoefficients, AGainOfAnInputIsItsCoefficient) {
+  const support::Asked asked = asked_of(support::nothing, 1.25);
+  const Proposals made = HeldCoefficients().propose(asked.problem(), asked.bare());
+  ASSERT_EQ(made.composites.size(), 1u);
+  EXPECT_TRUE(made.composites[0].search_first);
+  const CompositeModel& composite = made.composites[0].composite;
+  EXPECT_TRUE(composite.named.empty());
+  EXPECT_NEAR(composite.explanation.fit.model.coefficient(1, "F"), 1.0 / 1.25, 0.01);
+  ASSERT_EQ(composite.base->notes.size(), 1u);
+  EXPECT_NE(composite.base->notes[0].find("that of F in dv/dt at 1"), std::string::npos)
+      << composite.base->notes[0];
+}
+
+TEST(HeldCoefficients, WhatTheRecordsDoNotContradictStaysHeld) {
+  const support::Asked asked = asked_of(support::ripple, 1.0);
+  for (const CoefficientPlace& place : free_coefficients(asked.nominal))
+    EXPECT_NE(place, (CoefficientPlace{1, 2}));
+  const auto composites =
+      HeldCoefficients().propose(asked.problem(), asked.bare()).composites;
+  EXPECT_TRUE(composites.empty());
+  const support::Asked nothing_missing = asked_of(support::nothing, 1.0);
+  EXPECT_TRUE(HeldCoefficients()
+                  .propose(nothing_missing.problem(), nothing_missing.bare())
+                  .composites.empty());
+}
+
+TEST(HeldCoefficients, IdentitiesAreNotTouched) {
+  support::Asked asked = asked_of(support::ripple, 1.0);
+  asked.nominal = support::oscillator();
+  EXPECT_TRUE(
+      HeldCoefficients().propose(asked.problem(), asked.bare()).composites.empty());
+}
+
+TEST(HeldCoefficients, NoBendIsNamedForAGain) {
+  const Diagnosis found =
+      diagnose(with_known_force(), shown_force(support::nothing, 1.25),
+               shown_force(support::nothing, 1.25, 4, -0.6), DiagnosisOptions{}, RunContext{});
+  EXPECT_TRUE(found.effects.empty());
+  EXPECT_EQ(found.verdict, Verdict::CoefficientsOnly);
+  EXPECT_NEAR(found.augmented.coefficient(1, "F"), 0.8, 0.01);
+}
+
+}  // namespace
+}  // namespace lacuna
