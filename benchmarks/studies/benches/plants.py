@@ -25,7 +25,7 @@ def heated(rng, rates, percent, step=None, start=(20,)):
     return Bench(time, {"T [degC]": shown}, {"P [W]": power}, HEATED)
 
 
-@bench("earlier", lacks=("T:quadratic-term", "T:cubic-term", "T:higher-order-term"))
+@bench("earlier", lacks=("T:radiation", "T:quadratic-term", "T:cubic-term"))
 def heated_radiating(rng):
     return heated(
         rng, lambda t, x, u: 2e-3 * u - 2e-3 * (x - 20) - 4e-12 * ((x + 273) ** 4 - 293.0**4), 0.2

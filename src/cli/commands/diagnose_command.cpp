@@ -10,6 +10,7 @@
 #include "core/base/text.hpp"
 #include "data_options.hpp"
 #include "lacuna/diagnose/journey/diagnose.hpp"
+#include "lacuna/diagnose/journey/fitted_outputs.hpp"
 #include "lacuna/model/files/model_file.hpp"
 #include "lacuna/records/binding/read_records.hpp"
 #include "lacuna/report/pages/diagnosis_report.hpp"
@@ -113,19 +114,36 @@ std::vector<std::string> inputs_of(const DiagnoseArguments& options) {
   return files;
 }
 
+/// What is diagnosed, and how.
+struct Asked {
+  const Registry& registry;
+  const SystemModel& model;
+  const DiagnoseRequest& request;
+};
+
+/// The diagnosis of a model whose outputs have numbers that fit the records.
+Diagnosis diagnosed(const Asked& asked, const Dataset& data, const Dataset& held_out,
+                    const RunContext& context) {
+  const FittedOutputs fitted = with_fitted_outputs(asked.model, data, context);
+  const OdeModel model = with_holds(fitted.model.model(), asked.request.data);
+  Diagnosis found = diagnose(model, data, held_out,
+                             make_options(asked.registry, model, asked.request), context);
+  found.notes.insert(found.notes.begin(), fitted.notes.begin(), fitted.notes.end());
+  return found;
+}
+
 /// What a record shows by itself.
-FleetAnswer answer_of(const std::string& file, const OdeModel& model,
+FleetAnswer answer_of(const std::string& file, const SystemModel& given,
                       const DiagnoseArguments& options, const Session& session,
                       const RunContext& context) {
   try {
+    const OdeModel model = with_holds(given.model(), options.data);
     const auto differentiator = session.registry.make<Differentiator>(options.differentiator);
     const Dataset data = with_given_limits(
         read_records(model, {file}, roles_of(options), *differentiator, Columns::All),
         options.limits);
     return fleet_answer(
-        file,
-        diagnose(model, data, {},
-                 make_options(session.registry, model, request_of(options)), context));
+        file, diagnosed({session.registry, given, request_of(options)}, data, {}, context));
   } catch (const Error& error) {
     return fleet_failure(file, error.what());
   }
@@ -137,14 +155,15 @@ int diagnose_each(const Session& session, const DiagnoseArguments& options) {
       options.report.pictures)
     throw ConfigError("--each", "the answers are many",
                       "leave out --holdout, --model-out, --report and --plot");
-  const OdeModel model = with_holds(load_model(options.model), options.data);
-  make_options(session.registry, model, options);  // what is wrong with them is said once
+  const SystemModel given = load_system(options.model);
+  // What is wrong with the options is said once.
+  make_options(session.registry, with_holds(given.model(), options.data), options);
   const RunContext context = make_context(session, options.run);
   const std::vector<std::string> files = expand_patterns(options.data.paths);
   std::vector<std::string> texts(files.size());
   const OwnParts own = own_parts(files.size(), context);
   for (std::size_t i = own.first; i < own.end; ++i)
-    texts[i] = packed(answer_of(files[i], model, options, session, context.alone()));
+    texts[i] = packed(answer_of(files[i], given, options, session, context.alone()));
   exchange_texts(texts, context);
   if (!context.leads()) return 0;
   finish_progress(session, options.run);
@@ -204,14 +223,15 @@ void declare_search_options(CLI::App& app, DiagnoseArguments& options) {
 
 DiagnoseAnswer answer(const Registry& registry, const DiagnoseRequest& request,
                       const RunContext& context) {
-  const OdeModel model = with_holds(load_model(request.model), request.data);
+  const SystemModel given = load_system(request.model);
+  const OdeModel model = with_holds(given.model(), request.data);
   const auto differentiator = registry.make<Differentiator>(request.differentiator);
   context.unhurried().report("reading data", 0.0);
   const Dataset data = with_given_limits(
       records_for(model, request.data, roles_of(request), *differentiator, Columns::All),
       request.limits);
   const Dataset held_out = read_held_out(model, request, *differentiator);
-  return {diagnose(model, data, held_out, make_options(registry, model, request), context),
+  return {diagnosed({registry, given, request}, data, held_out, context),
           data_line(data, static_cast<Index>(model.inputs().size()))};
 }
 
