@@ -23,6 +23,7 @@ import numpy as np
 
 import machines  # noqa: F401  registers its benches
 import plants  # noqa: F401
+import untouched  # noqa: F401
 from benches import BEYOND, KINDS
 
 DRAWS = 2
@@ -121,7 +122,7 @@ def summary(rows):
         "| median s | longest s |"
     ]
     lines.append("| --- " * 8 + "|")
-    for group in ("earlier", "new"):
+    for group in ("earlier", "new", "untouched"):
         chosen = [row for row in rows if row["group"] == group]
         if not chosen:
             continue
