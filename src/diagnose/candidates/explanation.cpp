@@ -155,6 +155,12 @@ void read_deviations(const JointFitTask& task, Explanation& result) {
   }
 }
 
+/// Whether the memory of the effects has finite values along the paths.
+bool remembers(const Dataset& data) {
+  return std::all_of(data.trajectories.begin(), data.trajectories.end(),
+                     [](const Trajectory& record) { return record.states.allFinite(); });
+}
+
 /// Fits with the shapes as they are.
 class JointFit {
  public:
@@ -167,7 +173,8 @@ class JointFit {
     if (stands_twice(nominal, effects)) return unknown(from, effects);
     AugmentedProblem problem = augment(nominal_part(from.model, nominal), data, given.free,
                                        effects, nominal_paths(from, m));
-    if (!bridge(from, nominal, effects, problem)) return unknown(from, effects);
+    if (!bridge(from, nominal, effects, problem) || !remembers(problem.data))
+      return unknown(from, effects);
     AssimilationOptions options = given;
     options.free = problem.free;
     if (options.held_among > 0) {

@@ -302,15 +302,18 @@ bool prefer_plain(const EffectSearch& search, const EffectSize& size, FoundEffec
   return changed;
 }
 
-/// Puts the best candidate in the place of an effect where that is better beyond doubt.
-void exchange(const EffectSearch& search, const EffectSize& size, std::size_t e,
+/// Puts the best candidate that is no more intricate in the place of an effect where that is better
+/// beyond doubt. @return whether one does.
+bool exchange(const EffectSearch& search, const EffectSize& size, std::size_t e,
               FoundEffects& found) {
   FoundEffects rest = without_effect(search, found, e);
   const Ranking ranking = rank(search, rest.explanation);
   Extended before{rest.explanation};
   const double least = criterion_of(search, found.explanation) - decision_of(search).undecided;
+  const Index most = found.explanation.effects[e].candidate.intricacy();
   for (const RankedEffect& ranked : ranking.effects) {
-    if (!(ranked.criterion < least) || other_form_of(search, rest, ranked) ||
+    if (!(ranked.criterion < least) || ranked.effect().candidate.intricacy() > most ||
+        other_form_of(search, rest, ranked) ||
         shortfall(search, size, before, ranked))
       continue;
     rest.rounds.push_back({ranking.tried,
@@ -319,8 +322,9 @@ void exchange(const EffectSearch& search, const EffectSize& size, std::size_t e,
     add(search, ranked, ranking, rest);
     found = std::move(rest);
     found.left = structure_left(search.problem, found.explanation.fit);
-    return;
+    return true;
   }
+  return false;
 }
 
 /// Plain forms where they do. What came in beside a special form was chosen for what that form
@@ -328,8 +332,10 @@ void exchange(const EffectSearch& search, const EffectSize& size, std::size_t e,
 /// others may come in.
 void settle_forms(const EffectSearch& search, const EffectSize& size, FoundEffects& found) {
   if (!prefer_plain(search, size, found) || found.named.size() < 2) return;
+  bool exchanged = false;
   for (std::size_t e = found.named.size(); e-- > 0;)
-    if (e < found.named.size()) exchange(search, size, e, found);
+    if (e < found.named.size()) exchanged |= exchange(search, size, e, found);
+  if (!exchanged) return;
   add_all(search, size, found);
   prefer_plain(search, size, found);
 }

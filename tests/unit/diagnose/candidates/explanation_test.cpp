@@ -66,5 +66,17 @@ TEST(Explanation, SensorsMayHaveSummandsToo) {
   EXPECT_NEAR(found.effects[0].coefficient, 0.1, 0.005);
 }
 
+TEST(Explanation, AMemoryWithoutFiniteValuesIsNoExplanation) {
+  const Dataset data = support::hidden_record(support::nothing, 0.01);
+  const Assimilation base = support::assimilated(data);
+  Candidate late = support::plain_candidate("late");  // that grows beyond numbers in the end
+  late.memory = {{"late", parse_expression("(F-late)/0.2+1000*step(t-25)*late"),
+                  parse_expression("F")}};
+  const Explanation found =
+      explain({data, base.model, support::oscillator_fit_options(), RunContext{}}, base,
+              {{late, Vector(0), 1.0}});
+  EXPECT_FALSE(std::isfinite(found.fit.deviance)) << found.fit.deviance;
+}
+
 }  // namespace
 }  // namespace lacuna
