@@ -168,7 +168,7 @@ class JointFit {
 
   Explanation at(const Assimilation& from, std::vector<FittedEffect> effects,
                  int passes) const {
-    const auto& [data, nominal, given, context] = task_;
+    const auto& [data, nominal, given, context, bare] = task_;
     const Index m = nominal.dimension();
     if (stands_twice(nominal, effects)) return unknown(from, effects);
     AugmentedProblem problem = augment(nominal_part(from.model, nominal), data, given.free,
@@ -190,8 +190,10 @@ class JointFit {
     return result;
   }
 
-  /// Moves the shapes and fits again until the likelihood rises no more.
+  /// Moves the shapes and fits again until the likelihood rises no more, unless the fit has lost
+  /// its path: no step of shapes brings it back.
   Explanation with_shapes(Explanation best) const {
+    if (is_lost(best.fit)) return best;
     // Facts of the search: a hidden path moves with the shapes, and so does one whose noise is
     // far below what the shapes do, as that of an encoder is. Where a part of a step had to do,
     // the next one begins with twice that part.
@@ -212,6 +214,14 @@ class JointFit {
   }
 
  private:
+  /// Whether a fit is so much less likely than that of the nominal model alone, to which it may
+  /// always come, that it follows its records no more.
+  bool is_lost(const Assimilation& fit) const {
+    // A decision (docs/decisions/numbers.md).
+    constexpr double kLostPerValue = 10.0;
+    return fit.deviance - task_.bare_deviance > kLostPerValue * static_cast<double>(fit.used);
+  }
+
   /// A fit with shapes between two, and where.
   struct Moved {
     Explanation fit;

@@ -24,7 +24,7 @@ Index numbers_of(const Explanation& explanation) {
 std::string fit_key(const std::string& kind, const JointFitTask& task,
                     const Assimilation& start, const std::vector<FittedEffect>& effects) {
   KeyText key;
-  key.add_all(kind, task.nominal, task.data, task.options, start, effects);
+  key.add_all(kind, task.nominal, task.data, task.options, task.bare_deviance, start, effects);
   return key.take();
 }
 

@@ -24,7 +24,8 @@ namespace {
 constexpr int kPassesFromBaseline = 8;
 
 JointFitTask joint_fit(const Problem& problem, const Baseline& base) {
-  return {base.records->data, problem.nominal, base.fit_options, problem.context};
+  return {base.records->data, problem.nominal, base.fit_options, problem.context,
+          base.fitted.deviance};
 }
 
 /// Where a fit with hidden states may start, beside where the one before it has come: a hidden

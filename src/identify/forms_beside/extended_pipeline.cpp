@@ -115,8 +115,8 @@ IdentificationResult ExtendedPipeline::refined_in_time(const Pipeline& pipeline)
 Extension ExtendedPipeline::settled(
     std::vector<EquationForms> equations,
     const std::vector<std::vector<Candidate>>& candidates) const {
-  // What leaves more than the library is not worth a refit, which changes no misfit.
-  IdentificationResult alone = identified_as(equations, reaches_the_noise(alone_));
+  // A refit changes no misfit, and shapes are fitted by one.
+  IdentificationResult alone = identified_as(equations, true);
   if (is_worse(alone)) return {std::move(alone), std::move(equations)};
   const std::vector<Vector> coefficients = coefficients_of(alone.model, equations);
   equations = refined_shapes(alone.model, std::move(equations), records_, context_);

@@ -42,6 +42,9 @@ std::optional<Vector> column_losses(const Matrix& columns, const Vector& target)
   return Vector(factor.solve(target).array().square() / variances.array());
 }
 
+/// In the place of a residual.
+constexpr double kNotWorthAFit = std::numeric_limits<double>::infinity();
+
 /// An equation with its columns, as forms are rated beside it.
 class RatedBase {
  public:
@@ -56,11 +59,14 @@ class RatedBase {
       left_without_.push_back(columns_.left_without(static_cast<Index>(gone)));
   }
 
+  /// Whether a form has few enough parameters to stand beside the equation, or in its place.
+  bool has_room_for(const MissingForm& form) const {
+    return parameters_of(form) + beside_.fewest_members <= beside_.most_parameters;
+  }
+
   /// What the equation leaves with a form; infinite where that is not worth a fit.
   double rating(const MissingForm& form, const Vector& column) const {
-    constexpr double kNotWorthAFit = std::numeric_limits<double>::infinity();
-    if (parameters_of(form) + beside_.fewest_members > beside_.most_parameters)
-      return kNotWorthAFit;
+    if (!has_room_for(form)) return kNotWorthAFit;
     if (left_without_.empty()) return columns_.left_with(column);
     const std::size_t gone = members_to_go(form);
     const double without = left_without_[gone];
@@ -328,10 +334,10 @@ double FormProblem::fit_shapes(const BaseColumns& base, MissingForm& form,
   if (start.size() == 0) return base.left_with(column(start));
   const auto rest = [&](const Vector& at) { return base.rest_with(column(at)); };
   const CubeMinimum reached = gauss_newton(rest, start, {.wanted = fit.wanted});
-  // At an end of its range a shape is not found, and a form is one of the library's terms.
-  const bool is_inside = reached.point.minCoeff() > 0.0 && reached.point.maxCoeff() < 1.0;
+  // At an end of its range a shape is not found, and a form is one of the library's terms; a
+  // search without derivatives ends there as well.
   const bool is_out_of_reach = fit.wanted > 0.0 && is_far_above(reached.squares, fit.wanted);
-  if (is_out_of_reach || (reached.converged && is_inside)) {
+  if (is_out_of_reach || reached.converged) {
     form.shapes = scale.shapes(reached.point);
     return reached.squares;
   }
@@ -341,6 +347,7 @@ double FormProblem::fit_shapes(const BaseColumns& base, MissingForm& form,
   };
   const int most = fit.evaluations * static_cast<int>(start.size() * start.size());
   const double searched = std::exp(left(least_in_cube(left, start, {0.03, 1e-7, most})));
+  const bool is_inside = reached.point.minCoeff() > 0.0 && reached.point.maxCoeff() < 1.0;
   if (!(is_inside && reached.squares < searched)) return searched;
   // Where rounding is left no step goes down, and none converges.
   form.shapes = scale.shapes(reached.point);
@@ -356,19 +363,27 @@ Matrix FormProblem::rated(const std::vector<Beside>& equations,
     const EquationForms& equation = beside.equation;
     bases.emplace_back(beside, BaseColumns(columns(equation), rows_.target(equation.equation)));
   }
-  Matrix left(static_cast<Index>(starts.size()), static_cast<Index>(equations.size()));
-  const std::size_t chunks = (starts.size() + kColumnsTogether - 1) / kColumnsTogether;
+  Matrix left = Matrix::Constant(static_cast<Index>(starts.size()),
+                                 static_cast<Index>(equations.size()), kNotWorthAFit);
+  std::vector<std::size_t> rated_starts;
+  for (std::size_t i = 0; i < starts.size(); ++i)
+    if (std::any_of(bases.begin(), bases.end(),
+                    [&](const RatedBase& base) { return base.has_room_for(starts[i].form); }))
+      rated_starts.push_back(i);
+  const std::size_t chunks = (rated_starts.size() + kColumnsTogether - 1) / kColumnsTogether;
   parallel_for(chunks, context_.threads, [&](std::size_t chunk) {
     context_.check_stop();
     const std::size_t first = chunk * kColumnsTogether;
-    const std::size_t end = std::min(starts.size(), first + kColumnsTogether);
+    const std::size_t end = std::min(rated_starts.size(), first + kColumnsTogether);
     std::vector<Expression> forms;
-    for (std::size_t i = first; i < end; ++i) forms.push_back(starts[i].form.expression());
-    const Matrix added = rows_.columns(forms);
+    for (std::size_t i = first; i < end; ++i)
+      forms.push_back(starts[rated_starts[i]].form.expression());
+    const Matrix added = columns_.columns(
+        forms, rows(), [&](const std::vector<Expression>& some) { return rows_.columns(some); });
     for (std::size_t i = first; i < end; ++i)
       for (std::size_t e = 0; e < bases.size(); ++e)
-        left(static_cast<Index>(i), static_cast<Index>(e)) =
-            bases[e].rating(starts[i].form, added.col(static_cast<Index>(i - first)));
+        left(static_cast<Index>(rated_starts[i]), static_cast<Index>(e)) = bases[e].rating(
+            starts[rated_starts[i]].form, added.col(static_cast<Index>(i - first)));
   });
   return left;
 }

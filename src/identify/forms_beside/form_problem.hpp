@@ -146,8 +146,9 @@ class FormProblem {
   /// Fits the shapes of a form beside columns that stay. @return the residual.
   double fit_shapes(const BaseColumns& base, MissingForm& form, const ShapeFit& fit) const;
 
-  FormRows rows_;
-  Vector noise_;
+  const FormRows rows_;
+  const ColumnMemory columns_;  ///< of starting points
+  const Vector noise_;
   const FormOptions options_;
   RunContext context_;
 };

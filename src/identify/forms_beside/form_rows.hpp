@@ -2,10 +2,12 @@
 #pragma once
 
 #include <map>
+#include <mutex>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "lacuna/core/base/function_ref.hpp"
 #include "lacuna/data/records/dataset.hpp"
 #include "lacuna/model/equations/term.hpp"
 #include "regression/formulations/projection.hpp"
@@ -80,6 +82,30 @@ class FormRows {
   std::vector<Part> parts_;
   Index rows_ = 0;
   std::map<std::string, Vector> known_;  ///< columns of the library, by names of terms
+};
+
+/// Columns of forms, each made once: every equation and every round of a search begins with the
+/// same forms at the same starting points. A column is a function of its form alone, so that what
+/// comes out does not depend on what is kept. As many are kept as there is room for, the first
+/// ones. Several threads may ask at a time.
+class ColumnMemory {
+ public:
+  /// A fact of the machines: 64 MB.
+  static constexpr Index kMostNumbers = Index{1} << 23;
+
+  using Maker = FunctionRef<Matrix(const std::vector<Expression>&)>;
+
+  /// @param most numbers that are kept.
+  explicit ColumnMemory(Index most = kMostNumbers) : most_(most) {}
+
+  /// K x forms: what is kept, the rest from `make`.
+  Matrix columns(const std::vector<Expression>& forms, Index rows, Maker make) const;
+
+ private:
+  const Index most_;
+  mutable std::mutex guard_;
+  mutable std::map<std::string, Vector> kept_;  ///< by the text of a form
+  mutable Index numbers_ = 0;
 };
 
 /// |y - A h|^2 of the least squares solution; infinite where a column is not finite.

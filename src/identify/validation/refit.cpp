@@ -39,6 +39,7 @@ Pipeline fitting_stages(const Pipeline& pipeline, const Dataset& data, const Ode
     fitting.refiner =
         TrajectorySelection{{.start = TrajectorySelectionOptions::Start::Model,
                              .penalty = 0.0,
+                             .refit = false,
                              .negligible = {.effect_size = 0.0, .decisive = 1.0}}};
   else
     fitting.refiner = NoRefiner{};

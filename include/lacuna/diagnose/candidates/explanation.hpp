@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <limits>
 #include <vector>
 
 #include "lacuna/core/base/run_context.hpp"
@@ -52,6 +53,8 @@ struct JointFitTask {
   const OdeModel& nominal;
   const AssimilationOptions& options;  ///< nominal coefficients that are free, passes
   const RunContext& context;
+  /// Of the nominal model alone, fitted, where it is known: what an effect of no size comes to.
+  double bare_deviance = std::numeric_limits<double>::infinity();
 };
 
 /// Fits a nominal model and effects to records with the shapes as they are, in few passes: good

@@ -23,6 +23,22 @@ TEST(Explanation, FitsCoefficientAndShapesJointly) {
   EXPECT_NEAR(found.fit.model.coefficient(1, "v"), -0.2, 0.01);
 }
 
+TEST(Explanation, ShapesOfWhatHasLostItsPathAreNotMoved) {
+  const Dataset data = support::hidden_record(
+      [](double, double q, double) { return -3.0 * std::min(q + 0.2, 0.0); }, 0.002);
+  const Assimilation base = support::assimilated(data);
+  const OdeModel nominal = base.model;
+  const AssimilationOptions options = support::oscillator_fit_options();
+  const RunContext context;
+  JointFitTask task{data, nominal, options, context};
+  const std::vector<FittedEffect> stop{
+      {support::stop_candidate(0.0), Vector::Constant(1, -0.1), -2.0}};
+  task.bare_deviance = base.deviance - 1e3;
+  EXPECT_NE(explain(task, base, stop).effects[0].shapes[0], -0.1) << "not as good yet";
+  task.bare_deviance = -1e9;
+  EXPECT_EQ(explain(task, base, stop).effects[0].shapes[0], -0.1);
+}
+
 TEST(Explanation, MemoryBecomesAStateOfTheModel) {
   const Dataset data = support::hidden_record(support::nothing, 0.01);
   const Assimilation base = support::assimilated(data);

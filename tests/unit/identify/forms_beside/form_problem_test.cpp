@@ -240,6 +240,31 @@ TEST(FormProblem, AShapeWithARangeOfOneValueKeepsIt) {
   EXPECT_TRUE(std::isfinite(trials[0].left));
 }
 
+TEST(FormProblem, AShapeThatGoesToAnEndOfItsRangeStaysThere) {
+  const FormProblem problem(decay(), Vector::Zero(1), {});
+  Candidate saturating = form_of_x("x/(a+x)");
+  saturating.shapes = {{"a", "", 0.1, 2.0, true}};
+  saturating.starts = {Vector::Constant(1, 0.5)};
+  // The rate is linear in x: the longer the form is linear the better.
+  EquationForms equation{0, {}, {{saturating, saturating.starts[0]}}};
+  const double left = problem.polish(equation, 0);
+  EXPECT_DOUBLE_EQ(equation.forms[0].shapes[0], 2.0);
+  EXPECT_NEAR(left, problem.left(equation), 1e-9 * left);
+}
+
+TEST(FormProblem, FormsOfMoreParametersThanThereAreAreNotRated) {
+  const FormProblem problem(decay(), Vector::Zero(1), {});
+  const EquationForms constant{0, {problem.linear_terms()[0]}, {}};
+  Candidate saturating = form_of_x("x/(a+x)");
+  saturating.shapes = {{"a", "", 0.1, 2.0, true}};
+  saturating.starts = {Vector::Constant(1, 0.5)};
+  const Matrix left =
+      problem.rated({{constant, 2, 1}}, all_starts({saturating, form_of_x("sin(x)")}));
+  ASSERT_EQ(left.size(), 2);
+  EXPECT_TRUE(std::isinf(left(0, 0)));
+  EXPECT_TRUE(std::isfinite(left(1, 0)));
+}
+
 TEST(FormProblem, FormsWithoutARangeHaveNoStarts) {
   Candidate wide = form_of_x("x/(a+x)");
   wide.shapes = {{"a", "", 1e-3, INFINITY, true}};

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <string>
+
 #include "lacuna/dynamics/integration/runge_kutta.hpp"
 #include "lacuna/dynamics/test_systems/measurement.hpp"
 #include "lacuna/dynamics/test_systems/test_systems.hpp"
@@ -50,6 +52,26 @@ TEST(Refit, KeepsTermsThatAreWorthNothing) {
     EXPECT_EQ(found->equations()[0].size(), 3U);
     EXPECT_NEAR(found->coefficient(0, "z"), 0.0, 0.05);
   }
+}
+
+TEST(Refit, FitsWindowsAndNoMore) {
+  // Of what does not fit to the noise multiple shooting would fit the coefficients again, which
+  // predictions do not notice.
+  const OdeModel& truth = test_system("lorenz").model;
+  std::vector<Equation> equations = truth.equations();
+  equations[1].pop_back();
+  int fitted = 0, refined = 0;
+  RunContext context;
+  context.progress = [&](const Progress& progress) {
+    const std::string activity(progress.activity);
+    fitted += activity == "searching the structure";
+    refined += activity == "refining";
+  };
+  ASSERT_TRUE(refitted_on(lorenz_samples(0.01, 2000), truth.with_equations(equations),
+                          preset("algorithm1"), context)
+                  .has_value());
+  EXPECT_GT(fitted, 0);
+  EXPECT_EQ(refined, 0);
 }
 
 TEST(Refit, IsNotPossibleWithoutTermsOrWithoutSamples) {
