@@ -154,7 +154,8 @@ Matrix growth_of(const SizedChannels& sized) {
 }
 
 /// Degrees of freedom of the variance of each kept number: 2 over the variance of its logarithm.
-Vector satterthwaite(const SizedChannels& sized, const Matrix& inverse) {
+/// @param otherwise those of a number whose variance is beyond doubles.
+Vector satterthwaite(const SizedChannels& sized, const Matrix& inverse, double otherwise) {
   Matrix parts(inverse.rows(), sized.ratio.size());
   Vector whole = inverse.rowwise().squaredNorm();
   for (std::size_t i = 0; i < sized.products.size(); ++i) {
@@ -166,8 +167,10 @@ Vector satterthwaite(const SizedChannels& sized, const Matrix& inverse) {
   }
   const Vector variance = (parts * sized.covariance).cwiseProduct(parts).rowwise().sum();
   Vector freedom(inverse.rows());
-  for (Index k = 0; k < freedom.size(); ++k)
-    freedom[k] = std::clamp(2.0 * whole[k] * whole[k] / variance[k], 1.0, kKnown);
+  for (Index k = 0; k < freedom.size(); ++k) {
+    const double own = 2.0 * whole[k] * whole[k] / variance[k];
+    freedom[k] = std::isnan(own) ? otherwise : std::clamp(own, 1.0, kKnown);
+  }
   return freedom;
 }
 
@@ -194,8 +197,9 @@ EstimatedSizes estimated_sizes(FitEngine& engine, const FitUnknowns& unknowns,
     sized.products.push_back(&one);
     sized.ratio[static_cast<Index>(i)] = part * values / std::max(1.0, values - one.trace());
   }
-  found.freedom(kept) = satterthwaite(sized, inverse);
-  found.added(kept, kept) = inverse * growth_of(sized) * inverse.transpose();
+  found.freedom(kept) = satterthwaite(sized, inverse, freedom);
+  const Matrix added = inverse * growth_of(sized) * inverse.transpose();
+  if (added.allFinite()) found.added(kept, kept) = added;
   return found;
 }
 

@@ -132,6 +132,15 @@ TEST(EstimatedSizes, OfAMeanOfTwoInstruments) {
   EXPECT_NEAR(found.added(0, 0) / variance, 2.0 / kCount, 0.1 / kCount);
 }
 
+TEST(EstimatedSizes, OfANumberWithoutEffectAreThoseOfTheFit) {
+  Settled at(kModel + std::string("param q = 1\ny = x + 1e-200*q\nz = z\n"),
+             records_of(1, "y = x\nz = z\n"));
+  const EstimatedSizes found = at.sizes();
+  ASSERT_EQ(found.freedom.size(), 3);
+  EXPECT_EQ(found.freedom[2], 24.0 - 5.0);
+  EXPECT_TRUE(found.added.allFinite());
+}
+
 TEST(EstimatedSizes, KnownDeviationsCostNothing) {
   Settled at(kModel + std::string("y = x noise constant 0.05\nz = z noise constant 0.05\n"),
              records_of(1, "y = x\nz = z\n"));
