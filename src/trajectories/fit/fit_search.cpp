@@ -371,7 +371,7 @@ void try_other_starts(FitEngine& engine, const FitUnknowns& unknowns, const FitP
     take(continued(engine, unknowns, other_start(engine, unknowns, start, spread, random),
                    other, context));
   }
-  for (int i = 0; i < kInRanges * options.restarts && !good(); ++i)
+  for (int i = 0; i < kInRanges * options.restarts && search.agreeing < kEnough && !good(); ++i)
     if (const auto point = start_in_ranges(engine, unknowns, start, options.spread, random))
       take(minimise(engine, unknowns, *point, {}, options.most_iterations, context));
   if (changed_a_sign(search.best.point, start))
