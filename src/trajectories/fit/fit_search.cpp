@@ -332,8 +332,7 @@ void try_other_starts(FitEngine& engine, const FitUnknowns& unknowns, const FitP
                       const FitSearchOptions& options, const RunContext& context,
                       FitSearch& search) {
   constexpr int kEnough = 4;
-  // Starts in wide ranges for one about the given numbers: of 12 on Boehm's model 2 came to the
-  // optimum, so that 16 miss it once in 20 times.
+  // Starts in wide ranges for one about the given numbers, where no run was finite: a decision.
   constexpr int kInRanges = 2;
   constexpr double kCheap = 2e4;  // entries of the rows, below which all starts are tried
   const bool cheap = static_cast<double>(engine.states() + engine.parameters()) *
@@ -371,7 +370,8 @@ void try_other_starts(FitEngine& engine, const FitUnknowns& unknowns, const FitP
     take(continued(engine, unknowns, other_start(engine, unknowns, start, spread, random),
                    other, context));
   }
-  for (int i = 0; i < kInRanges * options.restarts && search.agreeing < kEnough && !good(); ++i)
+  const auto is_lost = [&] { return !std::isfinite(search.best.path.cost); };
+  for (int i = 0; i < kInRanges * options.restarts && is_lost(); ++i)
     if (const auto point = start_in_ranges(engine, unknowns, start, options.spread, random))
       take(minimise(engine, unknowns, *point, {}, options.most_iterations, context));
   if (changed_a_sign(search.best.point, start))
