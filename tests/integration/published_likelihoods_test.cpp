@@ -83,7 +83,8 @@ TEST(PublishedLikelihoods, Crauste) {
   const CommandResult result = run_program(
       "fit " + model + " " + values +
       " --start-time 0 --deviation Naive=sNaive --deviation EarlyEffector=sEarlyEffector"
-      " --deviation LateEffector=sLateEffector --deviation Memory=sMemory --json -");
+      " --deviation LateEffector=sLateEffector --deviation Memory=sMemory --progress never"
+      " --json -");
   ASSERT_EQ(result.err, "");
   const double found = -nlohmann::json::parse(result.out)["log_likelihood"].get<double>();
   EXPECT_LT(found, 190.964 + 1e-3);

@@ -98,6 +98,16 @@ TEST_F(Schemas, DescribeFitsSynchronisationsComparisonsAndChecks) {
   expect_conforms("check", "check " + path("free.csv") + " --model " + path("m.ode"));
 }
 
+TEST_F(Schemas, DescribeFitsOfPopulationsAndWithCurves) {
+  const std::string example = "'" LACUNA_SOURCE_DIR "/examples/theophylline/theophylline.";
+  const std::string records = example + "csv' --trajectory subject";
+  expect_conforms("fit", "fit " + example + "ode' " + records);
+  EXPECT_THAT(folder_.read("out.json"), ::testing::HasSubstr("\"population\""));
+  folder_.write("one.ode", "param k = 0.1 in 0..\ndx/dt = -k*x\nconc = x noise constant\n");
+  expect_conforms("fit", "fit " + path("one.ode") + " " + records + " --profile --bands");
+  EXPECT_THAT(folder_.read("out.json"), ::testing::HasSubstr("\"deviance\""));
+}
+
 TEST_F(Schemas, DescribeModels) {
   folder_.write(
       "all.ode",

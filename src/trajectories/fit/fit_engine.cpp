@@ -323,6 +323,19 @@ void choose_method(FitEngine& engine, const FitPoint& point) {
   if (!std::isfinite(path.cost) || !is_stiff(engine, point, path)) engine.implicit.reset();
 }
 
+bool leave_implicit_steps(FitEngine& engine, const FitPoint& point) {
+  if (!engine.implicit || (engine.events && engine.events->has_guards())) return false;
+  engine.implicit.reset();
+  set_substeps(engine, kMostSubsteps);
+  const FitPath path = follow(engine, point, {});
+  const bool leaves = std::isfinite(path.cost) && !is_stiff(engine, point, path);
+  if (leaves)
+    set_substeps(engine, 1);
+  else
+    take_implicit_steps(engine);
+  return leaves;
+}
+
 Gains filter_gains(FitEngine& engine, const FitPoint& point, const Disturbances& disturbances,
                    FitPath& path) {
   const Index m = engine.states(), count = engine.count();

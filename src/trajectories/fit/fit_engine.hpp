@@ -89,6 +89,11 @@ void follow_record(FitEngine& engine, const FitPoint& point, const Gains& gains,
 /// steps are implicit anyway.
 void choose_method(FitEngine& engine, const FitPoint& point);
 
+/// Takes explicit steps again where the model is not stiff along its path with them (parameters
+/// that were tried on the way to a point may make it stiff): one in a sampling interval, which may
+/// be too few. @return whether it does.
+bool leave_implicit_steps(FitEngine& engine, const FitPoint& point);
+
 /// What rows and residuals are in deviations of.
 enum class Whitening {
   Likelihood,  ///< their squares are those of the likelihood (NoiseScore)

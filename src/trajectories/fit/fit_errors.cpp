@@ -7,6 +7,7 @@
 
 #include "core/numerics/least_squares.hpp"
 #include "core/numerics/singular_values.hpp"
+#include "estimated_sizes.hpp"
 #include "identifiability.hpp"
 #include "regression/linear/row_fold.hpp"
 #include "trajectories/shooting/shooting_problem.hpp"
@@ -242,6 +243,9 @@ FitErrors errors_of(FitEngine& engine, const FitUnknowns& unknowns, const FitMin
   for (Index i = 0; i < g; ++i)
     if (!held[static_cast<std::size_t>(i)]) kept.push_back(i);
   errors.covariance = covariance_of_kept(linear, kept, white);
+  const EstimatedSizes noise = estimated_sizes(engine, unknowns, minimum, linear, kept);
+  errors.freedom = noise.freedom;
+  if (white) errors.covariance += noise.added;
   add_profile_scales(linear, kept, errors);
   add_undetermined_parameters(engine, unknowns, values, names, errors);
   Vector sizes = Vector::Ones(engine.states() + static_cast<Index>(unknowns.local.size()));

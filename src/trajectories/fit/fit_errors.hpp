@@ -14,6 +14,7 @@ struct FitErrors {
   std::vector<bool> at_bound;  ///< G
   Vector free_errors;          ///< G: by the Fisher information, bounds let go; 0: none
   Vector inflation;            ///< G: variance over that of the Fisher information
+  Vector freedom;              ///< G: degrees of freedom of the variance
   Matrix starts;               ///< R x (m + locals): standard errors; NaN where there is none
   std::vector<FitCombination> combinations;
   Matrix open;  ///< G x d: directions of which nothing is known, as fractions of the numbers

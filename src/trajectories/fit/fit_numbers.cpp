@@ -42,7 +42,7 @@ std::optional<FitMinimum> add_profiles(FitEngine& engine, const FitUnknowns& unk
     context.check_stop();
     std::optional<FitMinimum> better;
     const ProfileTask task{
-        known.reach,
+        known.reach[i],
         known.errors.free_errors[i] * std::sqrt(known.errors.inflation[i]),
         std::abs(given[unknowns.global[place]]), known.errors.inflation[i], whole_curves};
     known.profiles[place] =
@@ -98,15 +98,14 @@ void set_per_record(const FitEngine& engine, const FitUnknowns& unknowns,
 KnownNumbers known_numbers(FitEngine& engine, const FitUnknowns& unknowns,
                            const FitMinimum& minimum, ProfileUse use,
                            const RunContext& context) {
-  KnownNumbers known{minimum, {}, 0.0, {}};
+  KnownNumbers known{.minimum = minimum, .errors = {}};
   const RunContext needed = context.unhurried();
   const bool follow_profiles =
       use == ProfileUse::Curves || use == ProfileUse::Always ||
       (use == ProfileUse::Cheap && profile_work(engine, unknowns) <= kModerateWork);
-  known.reach =
-      student_quantile_975(std::max(1.0, degrees_of_freedom(engine, unknowns)));
   for (int round = 0;; ++round) {
     known.errors = errors_at(engine, unknowns, known.minimum, needed);
+    known.reach = known.errors.freedom.unaryExpr(&student_quantile_975);
     known.profiles.assign(unknowns.global.size(), std::nullopt);
     if (!follow_profiles) return known;
     std::optional<FitMinimum> better;
@@ -147,7 +146,8 @@ std::vector<FittedParameter> numbers_of(const FitEngine& engine, const FitUnknow
           number.at_most = profile->high;
         }
       } else if (known.errors.known[i] && error > 0.0 && std::isfinite(error)) {
-        set_limits(known.reach, error, {unknowns.lower[p], unknowns.upper[p]}, profile, number);
+        set_limits(known.reach[index], error, {unknowns.lower[p], unknowns.upper[p]}, profile,
+                   number);
       }
     }
     numbers.push_back(std::move(number));

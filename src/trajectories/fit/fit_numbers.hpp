@@ -23,8 +23,8 @@ enum class ProfileUse {
 struct KnownNumbers {
   FitMinimum minimum;  ///< that of the search, or a lower one that a profile led to
   FitErrors errors;
-  double reach = 0.0;  ///< quantile of Student's t distribution
-  std::vector<std::optional<NumberProfile>> profiles;  ///< G
+  Vector reach = {};  ///< G: quantiles of Student's t distribution
+  std::vector<std::optional<NumberProfile>> profiles = {};  ///< G
   bool in_time = true;  ///< whether no deadline came before the last profile
 };
 

@@ -18,6 +18,11 @@ namespace {
 /// another.
 constexpr std::array<double, 6> kFractions = {3.0, 1.0, 0.3, 0.1, 0.03, 0.01};
 
+constexpr double kExact = 1e-9;  // of the noise: residuals of a channel that is met to rounding
+
+/// Steps of a minimum: all residuals together change by less than this part of a deviation.
+constexpr double kFine = 0.2;
+
 double spread_of(const Vector& values) {
   return std::sqrt((values.array() - values.mean()).square().mean());
 }
@@ -48,8 +53,7 @@ FitMinimum continued(FitEngine& engine, const FitUnknowns& unknowns, FitPoint po
 /// The minimum with steps so fine that they shift no number by much of its error.
 FitMinimum polished(FitEngine& engine, const FitUnknowns& unknowns, FitMinimum found,
                     const FitSearchOptions& options, const RunContext& context) {
-  constexpr double kSmall = 0.2;
-  if (!choose_substeps(engine, found.point, {}, kSmall)) return found;
+  if (!choose_substeps(engine, found.point, {}, kFine)) return found;
   return minimise(engine, unknowns, found.point, {}, options.most_iterations, context);
 }
 
@@ -70,7 +74,7 @@ FitMinimum reweighted(FitEngine& engine, const FitUnknowns& unknowns, FitMinimum
   const bool moving = sizes_move(engine);
   const int rounds = moving ? 20 : 5;
   const double settled = moving ? 0.003 : 0.01;
-  const Vector least = 1e-9 * engine.sigma;  // of a channel that is met to rounding
+  const Vector least = kExact * engine.sigma;
   for (int round = 0; round < rounds && std::isfinite(found.path.cost); ++round) {
     const Vector rms = residual_rms(engine, unknowns, found.path);
     const Vector sigma = rms.cwiseMax(least);
@@ -116,8 +120,73 @@ std::optional<FitPoint> raised(FitEngine& engine, FitPoint point, double sign) {
   return any ? std::optional(std::move(point)) : std::nullopt;
 }
 
-double cost_of(const FitUnknowns& unknowns, const FitMinimum& minimum) {
-  return total_cost(unknowns, minimum.point, minimum.path);
+/// Whether a range is positive and so wide that starts about another one do not come to its ends.
+bool is_wide(double lower, double upper, double spread) {
+  return lower > 0.0 && std::isfinite(upper) && upper / lower > std::pow(spread, 4.0);
+}
+
+/// A start anywhere in the ranges: of some that are even in the logarithms of parameters with wide
+/// ranges, the one with the best free run. Nothing where no range is wide or no run is finite.
+std::optional<FitPoint> start_in_ranges(FitEngine& engine, const FitUnknowns& unknowns,
+                                        const FitPoint& start, double spread, Random& random) {
+  constexpr int kDraws = 10;  // a decision: they cost less than one minimisation
+  std::optional<FitPoint> best;
+  double least = std::numeric_limits<double>::infinity();
+  for (int draw = 0; draw < kDraws; ++draw) {
+    FitPoint point = other_start(engine, unknowns, start, spread, random);
+    bool any = false;
+    for (const Index p : unknowns.global) {
+      const double lower = unknowns.lower[p], upper = unknowns.upper[p];
+      if (!is_wide(lower, upper, spread)) continue;
+      any = true;
+      const double fraction = random.uniform(0.0, 1.0);
+      point.parameters.col(p).setConstant(lower * std::pow(upper / lower, fraction));
+    }
+    if (!any) return std::nullopt;
+    choose_method(engine, point);
+    const double cost = total_cost(unknowns, point, follow(engine, point, {}));
+    if (cost < least) {
+      least = cost;
+      best = std::move(point);
+    }
+  }
+  return best;
+}
+
+/// -2 log-likelihood of the values of a channel, less a constant, with the size of its noise that
+/// is the best for a path.
+double channel_deviance(const FitEngine& engine, const FitPath& path, Index c) {
+  std::vector<Index> rows;
+  for (Index n = 0; n < path.residuals.rows(); ++n)
+    if (engine.records.valid(n, c) > 0.0) rows.push_back(n);
+  const Vector residuals = path.residuals(rows, c), measured = engine.records.values(rows, c);
+  double deviance = 0.0;
+  if (const auto& law = engine.laws[static_cast<std::size_t>(c)]) {
+    ChannelNoise sized = *law;
+    sized.estimate(measured, measured - residuals, 1.0);
+    for (Index i = 0; i < residuals.size(); ++i)
+      deviance -= 2.0 * sized.log_likelihood(measured[i], measured[i] - residuals[i]);
+  } else if (const Matrix& known = engine.records.deviations;
+             known.size() > 0 && known.col(c).maxCoeff() > 0.0) {
+    deviance = residuals.cwiseQuotient(known(rows, c)).squaredNorm();
+  } else if (!rows.empty()) {
+    const double rms = residuals.norm() / std::sqrt(static_cast<double>(residuals.size()));
+    deviance = 2.0 * static_cast<double>(residuals.size()) *
+               std::log(std::max(rms, kExact * engine.sigma[c]));
+  }
+  return deviance;
+}
+
+/// What minima are compared by: -2 log-likelihood less a constant. Guesses of the noise, with which
+/// they were found, may weigh channels so that the wrong one is lower. Infinite where no run is.
+double deviance_of(const FitEngine& engine, const FitUnknowns& unknowns,
+                   const FitMinimum& minimum) {
+  if (!std::isfinite(minimum.path.cost)) return std::numeric_limits<double>::infinity();
+  double deviance =
+      total_cost(unknowns, minimum.point, minimum.path) - minimum.path.cost;  // of priors
+  for (Index c = 0; c < engine.count(); ++c)
+    deviance += channel_deviance(engine, minimum.path, c);
+  return deviance;
 }
 
 /// Residuals over the noise that the samples show, the largest of all channels; infinite where
@@ -237,29 +306,40 @@ Disturbances disturbances_of(const FitEngine& engine, const FitPath& path, doubl
 
 namespace {
 
+/// Compares one more minimum with the best.
+void keep_better(FitEngine& engine, const FitUnknowns& unknowns, const FitPoint& start,
+                 FitMinimum found, FitSearch& search) {
+  // Of the deviance of one value: 1 % and 0.01 % of the sum of squares.
+  constexpr double kAlike = 0.01, kSame = 1e-4;
+  ++search.starts;
+  search.best.path = follow(engine, search.best.point, {});  // steps may be finer by now
+  const double before = deviance_of(engine, unknowns, search.best),
+               now = deviance_of(engine, unknowns, found),
+               values = engine.records.valid.sum();
+  if (now < before - kAlike * values)
+    search.agreeing = 1;
+  else if (now < before + kAlike * values)
+    ++search.agreeing;
+  // Of equal minima (a model that may change a sign everywhere) the one nearest to the start.
+  const bool nearer = distance(found.point, start) < distance(search.best.point, start);
+  if (now < before - kSame * values || (now < before + kSame * values && nearer))
+    search.best = std::move(found);
+}
+
 /// Fits from other starts, as long as a better fit may be there.
 /// @throws OutOfTime past the deadline, with the best fit so far.
 void try_other_starts(FitEngine& engine, const FitUnknowns& unknowns, const FitPoint& start,
                       const FitSearchOptions& options, const RunContext& context,
                       FitSearch& search) {
-  constexpr double kAlike = 1.01, kSame = 1.0001;
   constexpr int kEnough = 4;
+  // Starts in wide ranges for one about the given numbers, where no run was finite: a decision.
+  constexpr int kInRanges = 2;
   constexpr double kCheap = 2e4;  // entries of the rows, below which all starts are tried
   const bool cheap = static_cast<double>(engine.states() + engine.parameters()) *
                          static_cast<double>(engine.records.samples()) <
                      kCheap;
   const auto take = [&](FitMinimum found) {
-    ++search.starts;
-    search.best.path = follow(engine, search.best.point, {});  // steps may be finer by now
-    const double before = cost_of(unknowns, search.best), now = cost_of(unknowns, found);
-    if (now < before / kAlike)
-      search.agreeing = 1;
-    else if (now < before * kAlike)
-      ++search.agreeing;
-    // Of equal minima (a model that may change a sign everywhere) the one nearest to the start.
-    const bool nearer = distance(found.point, start) < distance(search.best.point, start);
-    if (now < before / kSame || (now < before * kSame && nearer))
-      search.best = std::move(found);
+    keep_better(engine, unknowns, start, std::move(found), search);
   };
   // Hidden states have minima that are good and wrong; there the residuals must be white.
   const bool guessed = raised(engine, start, 1.0).has_value();
@@ -280,7 +360,7 @@ void try_other_starts(FitEngine& engine, const FitUnknowns& unknowns, const FitP
   Random random(context.seed);
   for (int i = 0; i < options.restarts; ++i) {
     const bool sure =
-        !cheap && search.agreeing >= kEnough && std::isfinite(cost_of(unknowns, search.best));
+        !cheap && search.agreeing >= kEnough && std::isfinite(search.best.path.cost);
     if (sure || good()) break;
     context.report("trying other starts",
                    static_cast<double>(i) / static_cast<double>(options.restarts));
@@ -290,6 +370,10 @@ void try_other_starts(FitEngine& engine, const FitUnknowns& unknowns, const FitP
     take(continued(engine, unknowns, other_start(engine, unknowns, start, spread, random),
                    other, context));
   }
+  const auto is_lost = [&] { return !std::isfinite(search.best.path.cost); };
+  for (int i = 0; i < kInRanges * options.restarts && is_lost(); ++i)
+    if (const auto point = start_in_ranges(engine, unknowns, start, options.spread, random))
+      take(minimise(engine, unknowns, *point, {}, options.most_iterations, context));
   if (changed_a_sign(search.best.point, start))
     take(minimise(engine, unknowns, mirrored(search.best.point, start), {},
                   options.most_iterations, context));
@@ -316,6 +400,11 @@ FitSearch search_fit(FitEngine& engine, const FitUnknowns& unknowns, const FitPo
   choose_method(engine, start);
   FitSearch search = from_several_starts(engine, unknowns, start, options, context);
   const RunContext needed = context.unhurried();
+  if (leave_implicit_steps(engine, search.best.point)) {
+    choose_substeps(engine, search.best.point, {}, kFine);
+    search.best =
+        minimise(engine, unknowns, search.best.point, {}, options.most_iterations, needed);
+  }
   search.best = reweighted(engine, unknowns, std::move(search.best), options, needed);
   search.best = polished(engine, unknowns, std::move(search.best), options, needed);
   search.best = reweighted(engine, unknowns, std::move(search.best), options, needed);

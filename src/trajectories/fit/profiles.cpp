@@ -15,7 +15,8 @@ namespace {
 constexpr double kNowhere = std::numeric_limits<double>::infinity();
 constexpr double kFar = 1e3;      // times the estimate: a likelihood as high there has no end
 constexpr int kMostSteps = 14;    // outwards on one side
-constexpr int kMostHalvings = 8;  // between the last two points
+constexpr int kMostHalvings = 12; // between the last two points
+constexpr double kOther = 4.0;    // roots of an end: beyond, a root need not be linear at all
 constexpr double kNear = 0.02;    // of the root of the deviance at an end
 constexpr double kCurve = 5.0;    // points of a curve on each side
 constexpr double kFirst = 1e-3;   // of the way: first step where no error is known
@@ -60,14 +61,17 @@ class Way {
 /// The cost with one number held, from the nearest point that was found so far.
 class HeldNumber {
  public:
+  /// @param most deviance up to which a point is a start of the next ones: beyond the interval
+  ///   others may be in another minimum.
   HeldNumber(FitEngine& engine, const FitUnknowns& unknowns, const FitMinimum& minimum,
-             Index place, const RunContext& context)
+             Index place, double most, const RunContext& context)
       : engine_(engine),
         unknowns_(unknowns),
         minimum_(minimum),
         parameter_(unknowns.global[static_cast<std::size_t>(place)]),
         others_(unknowns),
         least_(total_cost(unknowns, minimum.point, minimum.path)),
+        most_(most),
         context_(context),
         substeps_(engine.signals.scheme.substeps),
         is_implicit_(engine.implicit.has_value()),
@@ -94,11 +98,12 @@ class HeldNumber {
   double value() const { return minimum_.point.parameters(0, parameter_); }
   void restart() {
     before_ = last_ = minimum_.point;
-    engine_.laws = laws_;
+    last_laws_ = laws_;
   }
 
   /// Least cost at a value, less that of the minimum; infinite where no run is finite.
   double deviance(double value) {
+    engine_.laws = last_laws_;
     FitPoint start = extrapolated(value);
     refine_steps(start, value);
     FitMinimum found = minimise(engine_, others_, start, {}, kIterations, context_);
@@ -109,10 +114,14 @@ class HeldNumber {
     }
     if (!std::isfinite(found.path.cost)) return kNowhere;
     if (share_) settle_sizes(found);
-    before_ = std::exchange(last_, found.point);
     found_ = std::move(found);
     const double cost = total_cost(unknowns_, found_.point, found_.path);
-    return share_ ? *share_ * (cost + of_values() - least_) : cost - least_;
+    const double deviance = share_ ? *share_ * (cost + of_values() - least_) : cost - least_;
+    if (deviance <= most_) {
+      before_ = std::exchange(last_, found_.point);
+      last_laws_ = engine_.laws;
+    }
+    return deviance;
   }
 
   const FitMinimum& found() const { return found_; }
@@ -180,11 +189,11 @@ class HeldNumber {
   const FitMinimum& minimum_;
   Index parameter_;
   FitUnknowns others_;
-  double least_;
+  double least_, most_;
   const RunContext& context_;
   Index substeps_;
   bool is_implicit_;
-  std::vector<std::optional<ChannelNoise>> laws_;
+  std::vector<std::optional<ChannelNoise>> laws_, last_laws_;
   std::optional<double> share_ = {};  ///< of degrees of freedom, where sizes are estimated anew
   FitPoint before_, last_;
   FitMinimum found_;
@@ -254,7 +263,7 @@ class Side {
   double refined(SidePoint inside, SidePoint outside) {
     for (int i = 0; i < kMostHalvings; ++i) {
       const double width = outside.distance - inside.distance;
-      const double fraction = std::isfinite(outside.root)
+      const double fraction = outside.root < kOther * root_
                          ? (root_ - inside.root) / (outside.root - inside.root)
                          : 0.5;
       const double distance = inside.distance + std::clamp(fraction, 0.05, 0.95) * width;
@@ -293,11 +302,11 @@ void sort_points(double estimate, NumberProfile& profile) {
 NumberProfile profile_of(FitEngine& engine, const FitUnknowns& unknowns,
                          const FitMinimum& minimum, Index place, const ProfileTask& task,
                          std::optional<FitMinimum>& better, const RunContext& context) {
-  HeldNumber held(engine, unknowns, minimum, place, context);
+  NumberProfile profile{.limit = task.reach * task.reach * task.inflation};
+  HeldNumber held(engine, unknowns, minimum, place, profile.limit, context);
   const Index p = unknowns.global[static_cast<std::size_t>(place)];
   const double value = held.value();
   const Way way(value, unknowns.lower[p], unknowns.upper[p]);
-  NumberProfile profile{.limit = task.reach * task.reach * task.inflation};
   const double root = std::sqrt(profile.limit);
   const double given = way.distance(task.reach * task.error);
   for (const double side : {-1.0, 1.0}) {

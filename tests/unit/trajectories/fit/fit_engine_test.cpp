@@ -127,5 +127,31 @@ TEST(FitEngine, PredictionsStartFromCorrectedStates) {
   EXPECT_GT(far.norm() / std::sqrt(29.0), near.norm() / std::sqrt(599.0));
 }
 
+/// A rate of 1e6 at steps of 0.1, or of another size.
+FitEngine stiff_engine(const SystemModel& system, FitPoint& point) {
+  const ParametrisedModel model = system.parametrised();
+  const Dataset view = support::grey_box(
+      parse_ode("dx/dt = -0.5*x\ny = x\n", "d.ode"),
+      {.start = Vector::Constant(1, 1.0), .step = 0.1, .samples = 20});
+  FitEngine engine = fit_engine(model, fit_records(model, view));
+  point = {model.values().transpose(), Matrix::Constant(1, 1, 1.0)};
+  return engine;
+}
+
+TEST(LeaveImplicitSteps, WhereAnotherPointWasStiff) {
+  const SystemModel system = parse_ode_system("param k = 1e6\ndx/dt = -k*(x-1)\ny = x\n", "m");
+  FitPoint point;
+  FitEngine engine = stiff_engine(system, point);
+  choose_method(engine, point);
+  ASSERT_TRUE(engine.implicit);
+  EXPECT_FALSE(leave_implicit_steps(engine, point));
+  EXPECT_TRUE(engine.implicit) << "still stiff there";
+  point.parameters(0, 0) = 2.0;
+  const FitPath before = follow(engine, point, {});
+  EXPECT_TRUE(leave_implicit_steps(engine, point));
+  EXPECT_FALSE(engine.implicit);
+  EXPECT_LT((follow(engine, point, {}).states - before.states).cwiseAbs().maxCoeff(), 1e-4);
+}
+
 }  // namespace
 }  // namespace lacuna

@@ -54,8 +54,8 @@ TEST(NumbersOf, IntervalsAreThoseOfTheProfile) {
   EXPECT_EQ((*at.numbers[0].ci95)[1], *at.known.profiles[0]->high);
   // About as wide as the standard error says: the likelihood is nearly a parabola.
   EXPECT_NEAR(((*at.numbers[0].ci95)[1] - (*at.numbers[0].ci95)[0]) / 2.0,
-              at.known.reach * *at.numbers[0].standard_error,
-              0.1 * at.known.reach * *at.numbers[0].standard_error);
+              at.known.reach[0] * *at.numbers[0].standard_error,
+              0.1 * at.known.reach[0] * *at.numbers[0].standard_error);
   const std::vector<FitProfile> curves = curves_of(at.engine, at.unknowns, at.known);
   ASSERT_EQ(curves.size(), 1u);
   EXPECT_EQ(curves[0].name, "k");
