@@ -16,13 +16,16 @@ constexpr const char* kMirrored = "(a-x)^4";
 constexpr double kFarthest = 20.0;
 
 // Of the absolute temperature, whose zero the unit may have elsewhere. What moves through the zero
-// of its own unit is hardly one at which radiation counts.
+// of its own unit is hardly one at which radiation counts, and what radiates loses heat in
+// proportion, too: without that term the fourth power does what a line and a constant would.
 std::vector<Candidate> radiation_forms(const Scope& scope, Index equation) {
   const VariableRange& range = scope.state(equation);
   const double spread = range.high - range.low;
-  if (!(spread > 0.0) || is_velocity(scope, equation) || range.changes_sign()) return {};
-  const bool above = range.mean > 0.0;
   const Expression x = own_state(scope, equation);
+  if (!(spread > 0.0) || is_velocity(scope, equation) || range.changes_sign() ||
+      !has_term(scope, equation, x))
+    return {};
+  const bool above = range.mean > 0.0;
   const double least = above ? -range.low : range.high;
   return {shaped_candidate(
       formula(scope, above ? kForm : kMirrored, {{"x", x}, {"a", formula(scope, "zero")}}), x,

@@ -35,6 +35,7 @@
 #include "lacuna/diagnose/hypotheses/problem.hpp"
 #include "lacuna/diagnose/journey/diagnose.hpp"
 #include "lacuna/diagnose/journey/diagnosis.hpp"
+#include "lacuna/diagnose/journey/fitted_outputs.hpp"
 #include "lacuna/diagnose/journey/gap.hpp"
 #include "lacuna/diagnose/journey/locate.hpp"
 #include "lacuna/dynamics/attractor/comparison.hpp"

@@ -74,10 +74,10 @@ TEST(DiagnoseCircuit, TellsInWhichEquationsTheAdjustedRosslerCircuitLacksSomethi
     EXPECT_GT(entry.at("sigma").get<double>(), 10.0) << entry;
   EXPECT_LT(json["gap"]["ratio"].get<double>(), 0.9);
   // A gap of 7.1 % on the samples that chose nothing becomes 5.9 % with fitted coefficients and
-  // 6.7 % with x*z in dx/dt beside them: of 20 polynomials each, one does less than none.
-  for (const auto& effect : json.at("effects"))
-    EXPECT_NE(effect["name"], "channel-skew") << "no fault of the measurement";
-  EXPECT_THAT(json.at("notes").dump(), ::testing::HasSubstr("beyond a fit of the coefficients"));
+  // 6.7 % with x*z in dx/dt beside them; with z^2 in dz/dt too, a free run goes astray there. Of 20
+  // polynomials each, one or two do less than none.
+  EXPECT_TRUE(json.at("effects").empty()) << json["effects"];
+  EXPECT_THAT(json.at("notes").dump(), ::testing::HasSubstr("gets no name"));
   EXPECT_NE(json.at("verdict"), "explained");
 }
 

@@ -104,9 +104,9 @@ def pipe(rng):
     return Bench(time, {"T [degC]": noisy(rng, x, 0.3)}, {"Tin [degC]": inlet}, model)
 
 
-@bench("untouched")
+@bench("untouched", also=("w:channel-skew",))
 def speed_from_counts(rng):
-    """The speed is the difference of counts in a step."""
+    """The speed is the difference of counts in a step, and late by half of it."""
     time = np.arange(4000) * 0.01
     volts = steps(rng, 4000, -6, 6, 20, 120)
     x = simulate(lambda t, x, u: np.array([8 * u - 2 * x[0], x[0]]), [0, 0], time, volts)

@@ -69,6 +69,8 @@ TEST(Radiation, IsALossOfWhatStaysOnOneSideOfZero) {
   const Scope mirrored = scope_of(model_of_lines({{"T", {{"T", -0.2}}}}, {}), -20.0);
   EXPECT_EQ(forms_of<kRadiation>(mirrored, 0), Forms{"(zero-T)^4"});
   EXPECT_EQ(forms_of<kRadiation>(oscillator_scope(), 1), Forms{});
+  const Scope pushed = scope_of(model_of_lines({{"T", {{"u", 1.0}}}}, {"u"}), 20.0);
+  EXPECT_EQ(forms_of<kRadiation>(pushed, 0), Forms{}) << "nothing is lost in proportion";
 }
 
 TEST(Radiation, TakesAwayAndHasAZero) {
