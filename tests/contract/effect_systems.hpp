@@ -28,8 +28,8 @@ struct EffectSystem {
   }
 };
 
-/// A body and its drive, with a spring between them; a body for itself; two tanks and a process
-/// of two amounts.
+/// A body and its drive, with a spring between them; a body for itself; one that is heated; two
+/// tanks and a process of two amounts.
 inline std::vector<EffectSystem> effect_systems() {
   using support::model_of_lines;
   return {
@@ -39,6 +39,7 @@ inline std::vector<EffectSystem> effect_systems() {
                       {"u", "w"}),
        0.0,
        {{1, 0.7, 0.5}}},
+      {model_of_lines({{"T", {{"T", -0.2}, {"u", 1.0}}}}, {"u"}), 20.0},
       {model_of_lines({{"a", {{"b", -1.0}}}, {"b", {{"a*b", 1.0}, {"u", 1.0}}}}, {"u"}),
        2.0,
        {},
