@@ -11,6 +11,7 @@ namespace {
 
 // Over the range of the other variable the rate changes by e^12 at most (Arrhenius with 100 kJ/mol
 // from 0 to 90 degC), and by e^0.3 at least: below that a product of the two says as much.
+// Decisions (docs/decisions/numbers.md): they also place the starts.
 constexpr double kMostExponents = 12.0, kLeastExponents = 0.3;
 
 // The mean with as many digits as the spread of the variable has: where the rate is that of the

@@ -11,8 +11,8 @@ namespace {
 constexpr const char* kForm = "(x+a)^4";
 constexpr const char* kMirrored = "(a-x)^4";
 
-// With its zero so many spreads of the state away the fourth power is a quadratic term: what is
-// beyond does not change by a thousandth of the term.
+// A decision (docs/decisions/numbers.md): with its zero so many spreads of the state away the
+// fourth power is a square, to 2/3 of one part in so many.
 constexpr double kFarthest = 20.0;
 
 // Of the absolute temperature, whose zero the unit may have elsewhere. What moves through the zero
