@@ -61,6 +61,24 @@ bool is_of_still_input(const Candidate& candidate, const Scope& scope) {
                      });
 }
 
+/// Starts at the shapes that effects of the same form have in other equations as well: what acts
+/// between two stores acts on both alike.
+Candidate with_shared_starts(Candidate candidate, const Explanation& current) {
+  for (const FittedEffect& effect : current.effects) {
+    Candidate here = effect.candidate;
+    here.equation = candidate.equation;
+    const bool is_elsewhere = effect.candidate.equation != candidate.equation;
+    if (effect.shapes.size() == 0 || !is_elsewhere || !are_one_form(here, candidate)) continue;
+    Vector start = effect.shapes;
+    for (Index s = 0; s < start.size(); ++s) {
+      const ShapeParameter& range = candidate.shapes[static_cast<std::size_t>(s)];
+      start[s] = std::clamp(start[s], range.low, range.high);
+    }
+    candidate.starts.push_back(std::move(start));
+  }
+  return candidate;
+}
+
 std::vector<Candidate> all_candidates(const EffectSearch& search, const Explanation& current) {
   const Scope& scope = search.base.scope;
   std::vector<Candidate> proposed;
@@ -81,7 +99,8 @@ std::vector<Candidate> all_candidates(const EffectSearch& search, const Explanat
     if (search.has_room(current, 1 + static_cast<Index>(candidate.shapes.size())) &&
         is_searched(candidate, current, scope) && !is_of_still_input(candidate, scope) &&
         !is_shut_out(candidate))
-      result.push_back(without_clash(std::move(candidate), taken));
+      result.push_back(
+          with_shared_starts(without_clash(std::move(candidate), taken), current));
   return result;
 }
 

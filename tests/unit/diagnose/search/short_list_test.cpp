@@ -66,6 +66,27 @@ TEST_F(ShortLists, HaveNoFormWithMoreParametersThanMayCount) {
   EXPECT_EQ(most_shapes(with("v^3")), 0u) << "beside an effect with one parameter";
 }
 
+TEST_F(ShortLists, StartWhereAnEffectOfTheSameFormIsInAnotherEquation) {
+  const ShortList list = short_list(search_, bare());
+  const auto shaped = std::find_if(
+      list.candidates.begin(), list.candidates.end(),
+      [](const Listed& one) { return one.screened.candidate.shapes.size() == 1; });
+  ASSERT_NE(shaped, list.candidates.end());
+  FittedEffect effect{shaped->screened.candidate, Vector(1), 0.0, 0.0};
+  const ShapeParameter range = effect.candidate.shapes.front();
+  effect.shapes[0] = 0.123 * range.low + 0.877 * range.high;
+  effect.candidate.equation = 1 - effect.candidate.equation;
+  const ShortList beside = short_list(search_, {{effect}, base_.fitted});
+  const auto same = std::find_if(
+      beside.candidates.begin(), beside.candidates.end(), [&](const Listed& one) {
+        return are_one_form(one.screened.candidate, shaped->screened.candidate);
+      });
+  ASSERT_NE(same, beside.candidates.end());
+  EXPECT_EQ(same->screened.candidate.starts.size(),
+            shaped->screened.candidate.starts.size() + 1);
+  EXPECT_EQ(same->screened.candidate.starts.back(), effect.shapes);
+}
+
 TEST_F(ShortLists, AlongAPathHaveAllFunctionsOfItsArgument) {
   const Explanation wrong = with("v^3");
   search_.along = &wrong;
