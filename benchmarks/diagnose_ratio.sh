@@ -2,7 +2,7 @@
 # Time of `lacuna diagnose` by one binary over that by another one, on the same records in the same
 # run, the two taking turns. Usage:
 #   benchmarks/diagnose_ratio.sh OLD_BINARY NEW_BINARY FOLDER [RUNS]
-# FOLDER holds cases as `study_hidden export FOLDER` writes them: model.json, find.csv, check.csv.
+# FOLDER holds cases as `study_hidden export` writes them (its folder `cases`): model.json, find.csv, check.csv.
 # Prints the ratio of the medians for each case, and of the sums.
 set -euo pipefail
 old=$1 new=$2 folder=$3 runs=${4:-3}

@@ -10,7 +10,7 @@
 // nulls: devices that lack nothing on benches with faults; sensors: devices behind sensors that
 // show the states of other times; practice: the cases in the folder `practice` of LACUNA_DATA;
 // decisions: the cases at 1 % noise (for thresholds of smoothing, the smoothed ones too) with
-// each threshold at half and at double its value.
+// each threshold at half and at double its value; export: the records of these, as files.
 #include <cstdlib>
 #include <filesystem>
 #include <iostream>
@@ -41,6 +41,16 @@ std::vector<Trial> chosen_trials(const std::string& name) {
   return {};
 }
 
+/// Those of systems with such a name, at a level of noise where one is given.
+std::vector<Trial> with_part(std::vector<Trial> trials, const std::string& part,
+                             const std::string& level) {
+  std::erase_if(trials, [&](const Trial& trial) {
+    return trial.hidden.name.find(part) == std::string::npos ||
+           (!level.empty() && trial.level != std::stod(level));
+  });
+  return trials;
+}
+
 /// The trials that are asked for. @param cells gets one for each of them.
 std::vector<Trial> trials_of(const StudyArguments& given, Cells<Outcome>& cells) {
   const DiagnosisOptions options = diagnosis_options({}, default_registry());
@@ -51,36 +61,31 @@ std::vector<Trial> trials_of(const StudyArguments& given, Cells<Outcome>& cells)
   if (given.at(0) == "benches") return bench_trials(6, part, options, cells);
   if (given.at(0) == "nulls") return null_trials(8, part, options, cells);
   if (given.at(0) == "sensors") return sensor_trials(part, options, cells);
-  std::vector<Trial> trials = chosen_trials(given.at(0));
-  std::erase_if(trials, [&](const Trial& trial) {
-    return trial.hidden.name.find(part) == std::string::npos ||
-           (!level.empty() && trial.level != std::stod(level));
-  });
+  const std::vector<Trial> trials = with_part(chosen_trials(given.at(0)), part, level);
   for (const Trial& trial : trials)
     add_reported(cells, trial, [=] { return run_trial(trial, options); });
   return trials;
 }
 
-/// Writes the cases at a noise level (1 % where none is given) as files, one folder each.
-int export_cases(const std::filesystem::path& folder, const std::string& part,
-                 const std::string& level) {
-  const double noise = level.empty() ? 0.01 : std::stod(level);
-  for (const hidden::HiddenCase& hidden : hidden::all_cases()) {
-    if (hidden.name.find(part) == std::string::npos) continue;
-    const hidden::Records records = hidden::make_records(hidden, noise, 1);
-    const std::filesystem::path place = folder / hidden.name;
-    std::filesystem::create_directories(place);
-    write_file_atomically(place / "model.json", format_model(hidden.nominal));
-    write_csv(place / "find.csv", records.find);
-    write_csv(place / "check.csv", records.check);
-  }
+/// Writes the records of trials with such a name as files, one folder each, by sets of trials.
+int export_trials(const std::filesystem::path& folder, const std::string& part,
+                  const std::string& level) {
+  for (const char* set : {"cases", "reality", "ordinary", "smoothed", "twins"})
+    for (const Trial& trial : with_part(chosen_trials(set), part, level)) {
+      const hidden::Records records = make_records(trial.hidden, trial.level, trial.seed);
+      const std::filesystem::path place = folder / set / name_of(trial);
+      std::filesystem::create_directories(place);
+      write_file_atomically(place / "model.json", format_model(trial.hidden.nominal));
+      write_csv(place / "find.csv", records.find);
+      write_csv(place / "check.csv", records.check);
+    }
   return 0;
 }
 
 int run(const StudyArguments& given) {
   const std::string name = given.at(0);
   const std::filesystem::path folder = given.folder_at(1);
-  if (name == "export") return export_cases(folder, given.at(2), given.at(3));
+  if (name == "export") return export_trials(folder, given.at(2), given.at(3));
   if (name == "decisions") return run_decisions(folder, given.at(2), given.store(name));
   Cells<Outcome> cells;
   const std::vector<Trial> trials = trials_of(given, cells);

@@ -288,6 +288,12 @@ HoldoutEvaluation evaluate_names(const Problem& problem, const CompositeModel& c
   const double least = 0.5 * decision.possible;
   const auto gain = deviations_of_gain(gap);
   const bool shows = gap.before > (1.0 + decision.minor) * gap.noise_floor;
+  const std::vector<double>& lattice = composite.explanation.fit.noise.lattice;
+  // What rounding does comes again in other records.
+  if (!shows && std::any_of(lattice.begin(), lattice.end(), [](double q) { return q > 0.0; }))
+    return {true, false,
+            names + "is less than the noise of the records that were not used, and channels are "
+                    "rounded more coarsely than their noise: it gets no name"};
   if (!shows && gain && *gain < least)
     return {true, false,
             names + "does not show on the records that were not used (their gap falls by " +
@@ -302,7 +308,7 @@ Diagnosis make_answer(const Problem& problem, Judged judged, std::optional<Gap> 
   const Assimilation& fit = best.explanation.fit;
   const Verdict alone = verdict_of(problem, best);
   const std::vector<std::string> doubts = reservations(problem, best, gap);
-  const std::vector<std::string> inputs = 
+  const std::vector<std::string> inputs =
       notes_on(problem, noisy_inputs(problem, best.explanation.fit));
   const bool lower = evaluation.lower || (alone == Verdict::Explained && !doubts.empty());
   const bool open = gap && (stays_open(*gap, problem.options.decision) ||

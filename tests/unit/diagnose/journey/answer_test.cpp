@@ -136,6 +136,21 @@ TEST_F(Answer, NamesHaveToShowBeyondAFitOfCoefficients) {
   EXPECT_FALSE(withdrawn(nameless(0.0), unseen));
 }
 
+TEST_F(Answer, WhatIsLessThanTheNoiseIsNotToldFromRounding) {
+  const Problem problem = asked_.problem();
+  CompositeModel friction = composite("sign(v)");
+  const Gap below = in_windows(1.05, {1.0, 0.9, 1.0, 0.9});
+  const auto is_withdrawn = [&](const Gap& other) {
+    return evaluate_names(problem, friction, other).withdraw;
+  };
+  EXPECT_FALSE(is_withdrawn(below));
+  friction.explanation.fit.noise.lattice = {0.0, 0.1};
+  EXPECT_TRUE(is_withdrawn(below));
+  Gap shown = below;
+  shown.before = 1.5;
+  EXPECT_FALSE(is_withdrawn(shown));
+}
+
 TEST_F(Answer, SamplesThatRepeatNeedMoreThanALittle) {
   CompositeModel friction = composite("sign(v)");
   Baseline base = *friction.base;
