@@ -303,7 +303,7 @@ def filter_linear_input(rng):
     """The source moves in ramps, the model says that it is held."""
     time = np.arange(3000) * 0.1
     corners = np.interp(np.arange(3000), np.arange(0, 3001, 25), rng.uniform(-1, 2, 121))
-    fine = np.interp(np.arange(0, 3000, 0.05), np.arange(3000), corners)
+    fine = np.interp(np.arange(0.025, 3000, 0.05), np.arange(3000), corners)
     x = simulate(lambda t, x, u: (u - x) / 2, [0], np.arange(len(fine)) * 0.005, fine, 1)[::20, 0]
     return Bench(time, {"V [V]": noisy(rng, x, 0.1)}, {"u [V]": corners}, DIODE)
 

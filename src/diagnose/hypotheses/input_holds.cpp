@@ -32,8 +32,17 @@ double bend_of(const Dataset& data, Index input) {
   return std::sqrt(bends / slopes);
 }
 
+/// Whether a model says that an input is held whose samples lie on lines between others, which
+/// do not jump.
+bool contradicts_samples(const Quantity& input, const Dataset& data, Index index) {
+  return input.hold == Hold::Zero && is_interpolated(data, index);
+}
+
 std::vector<Hold> possible_holds(const Problem& problem, Index input) {
   const Dataset& data = problem.records.data;
+  if (contradicts_samples(problem.nominal.inputs()[static_cast<std::size_t>(input)], data,
+                          input))
+    return {Hold::Zero, Hold::Linear};
   if (is_interpolated(data, input)) return {Hold::Smooth};  // lines do not jump
   if (bend_of(data, input) < problem.options.decision.dense_input)
     return {Hold::Zero, Hold::Smooth};
@@ -142,7 +151,8 @@ ChosenHolds choose_holds(const Problem& problem) {
   for (const Quantity& input : nominal.inputs()) {
     const auto j = static_cast<Index>(holds.size());
     holds.push_back(input.hold ? input.hold : shown_hold(records.data, j));
-    if (!input.hold && holds.back()) unknown.push_back(j);
+    if ((!input.hold && holds.back()) || contradicts_samples(input, records.data, j))
+      unknown.push_back(j);
   }
   if (unknown.empty()) return chosen;
   context.report("how inputs go on between samples", 0.0);

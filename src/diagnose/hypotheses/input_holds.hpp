@@ -9,7 +9,8 @@
 
 namespace lacuna {
 
-/// An input of which nobody said how it goes on between samples.
+/// An input of which nobody said how it goes on between samples, or of which the samples
+/// contradict what was said: held, but on lines between others.
 struct OpenInput {
   Index input = 0;
   Hold second = Hold::Smooth;  ///< the hold that is next to the chosen one
@@ -26,7 +27,8 @@ struct ChosenHolds {
 /// Decides for each input of which nobody said it how it goes on between samples, by the
 /// likelihood of the nominal model with fitted coefficients under each Hold. What the samples
 /// show by themselves (zero where most of them repeat the one before, else smooth) stays unless
-/// another is more likely by more than DecisionOptions::undecided.
+/// another is more likely by more than DecisionOptions::undecided; so does what the model says of
+/// an input that its samples contradict, which is compared with lines.
 ///
 /// The choice is made before effects are sought: a half step of delay between a held and a
 /// smooth input looks like an effect of the dynamics.

@@ -5,9 +5,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "core/base/random.hpp"
+#include "lacuna/model/files/ode_text.hpp"
 #include "support/asked.hpp"
 #include "support/assimilated_oscillator.hpp"
 #include "support/held_oscillator.hpp"
@@ -91,6 +94,46 @@ TEST(InputHolds, WhatTheModelSaysIsNotAsked) {
   const ChosenHolds found = choose_holds(asked.problem());
   EXPECT_EQ(hold_of(found), Hold::Linear);
   EXPECT_TRUE(found.trail.empty());
+}
+
+/// A filter of first order behind a source whose samples lie on lines from each tenth to the next.
+/// @param steps whether the source was held from sample to sample none the less.
+Dataset behind_a_source(const OdeModel& filter, bool steps) {
+  constexpr double kStep = 0.1, kTime = 2.0;  // tau of the model
+  const double left = std::exp(-kStep / kTime);
+  Random random(3);
+  Trajectory record;
+  record.time = Vector::LinSpaced(600, 0.0, 599 * kStep);
+  record.states.resize(600, 1);
+  record.inputs.resize(600, 1);
+  double from = 0.0, to = 0.0, value = 0.0;
+  for (Index i = 0; i < 600; ++i) {
+    if (i % 10 == 0) from = std::exchange(to, random.normal());
+    const double u = from + (to - from) * static_cast<double>(i % 10) / 10.0;
+    const double slope = steps ? 0.0 : (to - from) / (10.0 * kStep);
+    record.inputs(i, 0) = u;
+    record.states(i, 0) = value + 1e-3 * random.normal();
+    value = u + slope * (kStep - kTime) + (value - u + slope * kTime) * left;
+  }
+  Dataset data;
+  data.states = filter.states();
+  data.inputs = filter.inputs();
+  data.trajectories = {record};
+  return data;
+}
+
+TEST(InputHolds, SamplesOnLinesContradictAModelThatSaysHeld) {
+  const OdeModel filter = parse_ode("input u hold zero\ndx/dt = 0.5*u - 0.5*x\n", "made");
+  const auto found = [&](bool steps) {
+    support::Asked asked{.records = observed(behind_a_source(filter, steps))};
+    asked.nominal = filter;
+    return choose_holds(asked.problem());
+  };
+  const ChosenHolds lines = found(false);
+  EXPECT_EQ(hold_of(lines), Hold::Linear);
+  EXPECT_THAT(lines.trail, ::testing::SizeIs(2));
+  EXPECT_THAT(notes_on_holds(lines.model, lines.open), ::testing::SizeIs(1));
+  EXPECT_EQ(hold_of(found(true)), Hold::Zero) << "what is more likely is not given up";
 }
 
 TEST(InputHolds, AnInputThatStandsStillHasNone) {
