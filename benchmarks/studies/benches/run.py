@@ -21,7 +21,8 @@ import zlib
 
 import numpy as np
 
-import machines  # noqa: F401  registers its benches
+import later  # noqa: F401  registers its benches
+import machines  # noqa: F401
 import plants  # noqa: F401
 import untouched  # noqa: F401
 from benches import BEYOND, KINDS
