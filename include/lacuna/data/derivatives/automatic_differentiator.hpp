@@ -21,9 +21,16 @@ struct AutomaticDifferentiatorOptions {
   }
 };
 
-/// Chooses among the differentiators by a parametric bootstrap. Smooth pilots of the record
-/// (SmoothingSpline, KalmanSmoother) have known derivatives; each gets white noise of the size
-/// that is estimated in the record, and every differentiator, fitted anew, is measured by
+/// Chooses among the differentiators by a parametric bootstrap. Pilots are smoothed records with
+/// known derivatives: the three of SmoothingSpline, KalmanSmoother, Spectral and TrendFilter
+/// with the least estimated error of the signal,
+///
+///   |y - signal|^2 / noise^2 - n + 2 trace(d signal / d y)
+///
+/// (C. Stein, Annals of Statistics 9 (1981), the trace by random changes of y: S. Ramani,
+/// T. Blu, M. Unser, IEEE Transactions on Image Processing 17 (2008), eq. (13)). Each gets white
+/// noise of the size that is estimated in the record, and every differentiator, fitted anew, is
+/// measured by
 ///
 ///   sum over pilots and states of log mean (rate - rate of the pilot)^2
 ///

@@ -41,6 +41,14 @@ TEST(AutomaticDifferentiator, IsNearTheBestOfThoseItChoosesFrom) {
   EXPECT_GT(error_of(FiniteDifferences{}, data), 3.0 * best);
 }
 
+// A spline and a path of Kalman's leave noise in a sine that a spectrum does not have: on records
+// that are made of them alone each of the two is best.
+TEST(AutomaticDifferentiator, JudgesByThePilotsThatSuitTheRecord) {
+  const auto fitted =
+      fitted_to(Stage<Differentiator>(AutomaticDifferentiator{}), record_with_noise(0.001));
+  EXPECT_EQ(fitted->info().name, "spectral");
+}
+
 TEST(AutomaticDifferentiator, IsExactWithoutNoise) {
   EXPECT_LT(error_of(AutomaticDifferentiator{}, record_with_noise(0.0)), 1e-4);
 }
