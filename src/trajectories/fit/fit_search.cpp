@@ -25,6 +25,10 @@ constexpr double kExact = 1e-9;  // of the noise: residuals of a channel that is
 /// Steps of a minimum: all residuals together change by less than this part of a deviation.
 constexpr double kFine = 0.2;
 
+/// Explicit steps that change all residuals together by so much of a deviation are wrong: five
+/// times what halving them may do, a decision.
+constexpr double kWrong = 1.0;
+
 double spread_of(const Vector& values) {
   return std::sqrt((values.array() - values.mean()).square().mean());
 }
@@ -226,6 +230,19 @@ bool choose_substeps(FitEngine& engine, const FitPoint& point, const Gains& gain
   return substeps != before || engine.implicit.has_value();
 }
 
+bool check_by_implicit_steps(FitEngine& engine, FitMinimum& minimum, double small) {
+  if (engine.implicit || !std::isfinite(minimum.path.cost)) return false;
+  take_implicit_steps(engine);
+  FitPath exact = follow(engine, minimum.point, {});
+  const Matrix change = whitened(engine, exact) - whitened(engine, minimum.path);
+  if (!std::isfinite(exact.cost) || change.norm() < small) {
+    engine.implicit.reset();
+    return false;
+  }
+  minimum.path = std::move(exact);
+  return true;
+}
+
 Vector residual_rms(const FitEngine& engine, const FitUnknowns& unknowns, const FitPath& path) {
   const double all = engine.records.valid.sum();
   const double fraction = degrees_of_freedom(engine, unknowns) / std::max(1.0, all);
@@ -261,13 +278,18 @@ namespace {
 
 /// Compares one more minimum with the best.
 void keep_better(FitEngine& engine, const FitUnknowns& unknowns, const FitPoint& start,
-                 FitMinimum found, FitSearch& search) {
+                 FitMinimum found, const FitSearchOptions& options, const RunContext& context,
+                 FitSearch& search) {
   constexpr double kSame = 1e-4;  // of the deviance of one value: 0.01 % of the sum of squares
   ++search.starts;
   search.best.path = follow(engine, search.best.point, {});  // steps may be finer by now
-  const double before = deviance_of(engine, unknowns, search.best),
-               now = deviance_of(engine, unknowns, found),
-               values = engine.records.valid.sum();
+  const double values = engine.records.valid.sum(),
+               before = deviance_of(engine, unknowns, search.best);
+  double now = deviance_of(engine, unknowns, found);
+  if (now < before) {  // steps may be too long for it, and the minimum one of their errors
+    found = polished(engine, unknowns, std::move(found), options, context);
+    now = deviance_of(engine, unknowns, found);
+  }
   if (now < before - kAlike * values)
     search.agreeing = 1;
   else if (now < before + kAlike * values)
@@ -286,7 +308,7 @@ bool try_ranges(FitEngine& engine, const FitUnknowns& unknowns, const FitPoint& 
   if (were_explicit) take_implicit_steps(engine);
   const bool settled = search_ranges(
       engine, unknowns, start, options, context,
-      [&](FitMinimum found) { keep_better(engine, unknowns, start, std::move(found), search); },
+      [&](FitMinimum found) { keep_better(engine, unknowns, start, std::move(found), options, context, search); },
       [&] { ++search.starts; });
   if (were_explicit && leave_implicit_steps(engine, search.best.point))
     choose_substeps(engine, search.best.point, {}, kFine);
@@ -300,7 +322,7 @@ void try_other_starts(FitEngine& engine, const FitUnknowns& unknowns, const FitP
                       FitSearch& search) {
   constexpr int kEnough = 4;
   const auto take = [&](FitMinimum found) {
-    keep_better(engine, unknowns, start, std::move(found), search);
+    keep_better(engine, unknowns, start, std::move(found), options, context, search);
   };
   // Hidden states have minima that are good and wrong; there the residuals must be white.
   const bool guessed = raised(engine, start, 1.0).has_value();
@@ -370,6 +392,8 @@ FitSearch search_fit(FitEngine& engine, const FitUnknowns& unknowns, const FitPo
   search.best = reweighted(engine, unknowns, std::move(search.best), options, needed);
   search.best = polished(engine, unknowns, std::move(search.best), options, needed);
   search.best = reweighted(engine, unknowns, std::move(search.best), options, needed);
+  if (check_by_implicit_steps(engine, search.best, kWrong))
+    search.best = reweighted(engine, unknowns, std::move(search.best), options, needed);
   return search;
 }
 

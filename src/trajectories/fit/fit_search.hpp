@@ -51,6 +51,11 @@ int usual_range_starts(const FitEngine& engine);
 bool choose_substeps(FitEngine& engine, const FitPoint& point, const Gains& gains,
                      double small);
 
+/// Whether explicit steps were wrong at a minimum, however alike halves of them are: residuals by
+/// implicit steps, whose error is controlled, differ by `small` deviations or more in all samples
+/// together. Then these are taken from now on, and the path is that by them.
+bool check_by_implicit_steps(FitEngine& engine, FitMinimum& minimum, double small);
+
 /// Whether the sizes of some law that are estimated depend on where the model is: those of a law
 /// with limits. Without limits the information of location and size is that of independent
 /// numbers, exactly or (a deviation b in proportion to the value) to 2 b^2 of it.
