@@ -306,10 +306,11 @@ bool try_ranges(FitEngine& engine, const FitUnknowns& unknowns, const FitPoint& 
                 const FitSearchOptions& options, const RunContext& context, FitSearch& search) {
   const bool were_explicit = !engine.implicit;
   if (were_explicit) take_implicit_steps(engine);
-  const bool settled = search_ranges(
-      engine, unknowns, start, options, context,
-      [&](FitMinimum found) { keep_better(engine, unknowns, start, std::move(found), options, context, search); },
-      [&] { ++search.starts; });
+  const auto take = [&](FitMinimum found) {
+    keep_better(engine, unknowns, start, std::move(found), options, context, search);
+  };
+  const bool settled = search_ranges(engine, unknowns, start, options, context, take,
+                                     [&] { ++search.starts; });
   if (were_explicit && leave_implicit_steps(engine, search.best.point))
     choose_substeps(engine, search.best.point, {}, kFine);
   return settled;
@@ -341,16 +342,19 @@ void try_other_starts(FitEngine& engine, const FitUnknowns& unknowns, const FitP
           minimise(engine, only_starts, *other, {}, options.most_iterations, context);
       take(minimise(engine, unknowns, begun.point, {}, options.most_iterations, context));
     }
-  const bool ranged = options.range_starts > 0 &&
-                      (options.always_ranges || (has_wide_range(unknowns, options.spread) && !good()));
+  const bool wanted =
+      options.always_ranges || (has_wide_range(unknowns, options.spread) && !good());
+  const bool ranged = wanted && options.range_starts > 0;
   const bool settled = ranged && try_ranges(engine, unknowns, start, options, context, search);
   Random random(context.seed);
-  for (int i = 0; i < options.restarts && !settled; ++i) {
+  // Some are kept for paths that starts over ranges lose, oscillations above all: a decision.
+  const int restarts = ranged ? (options.restarts + 3) / 4 : options.restarts;
+  for (int i = 0; i < restarts && !settled; ++i) {
     const bool sure = (!is_cheap(engine) || ranged) && search.agreeing >= kEnough &&
                       std::isfinite(search.best.path.cost);
     if (sure || good()) break;
     context.report("trying other starts",
-                   static_cast<double>(i) / static_cast<double>(options.restarts));
+                   static_cast<double>(i) / static_cast<double>(restarts));
     FitSearchOptions other = options;  // some with less disturbance from the first on
     other.first_level = static_cast<std::size_t>(2 * (i % 3));
     const double spread = i % 2 == 0 ? options.spread : options.spread * options.spread;

@@ -14,7 +14,8 @@ struct FitSearch {
   bool in_time = true;  ///< whether no deadline came before the last other start
 };
 
-/// Minima whose deviances differ by less for each value are taken for one: 1 % of the sum of squares.
+/// Minima whose deviances differ by less for each value are taken for one: 1 % of the sum of
+/// squares.
 constexpr double kAlike = 0.01;
 
 /// How the search is made.

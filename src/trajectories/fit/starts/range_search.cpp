@@ -14,7 +14,7 @@ namespace {
 
 constexpr int kRound = 10;       // starts of a round: a decision
 constexpr int kDraws = 5;        // of which a start is the best: they cost less than one step each
-constexpr int kFirstSteps = 10;  // after which the better half of a round goes on: a decision
+constexpr int kFirstSteps = 20;  // after which the better half of a round goes on: a decision
 
 /// The best of some points by its likelihood; nothing where no run is finite.
 std::optional<FitMinimum> best_of(FitEngine& engine, const FitUnknowns& unknowns,
@@ -37,6 +37,18 @@ struct Begun {
   FitMinimum minimum;
   double deviance = 0.0;
 };
+
+/// The first steps from the best of the draws of a start; nothing where it has no finite run.
+std::optional<Begun> first_steps(FitEngine& engine, const FitUnknowns& unknowns,
+                                 const std::vector<FitPoint>& points, int start,
+                                 const RunContext& context) {
+  const auto best =
+      best_of(engine, unknowns, points, static_cast<std::size_t>(kDraws * start), kDraws);
+  if (!best) return std::nullopt;
+  Begun one{minimise(engine, unknowns, best->point, {}, kFirstSteps, context)};
+  one.deviance = deviance_of(engine, unknowns, one.minimum);
+  return one;
+}
 
 }  // namespace
 
@@ -61,10 +73,6 @@ bool search_ranges(FitEngine& engine, const FitUnknowns& unknowns, const FitPoin
                    FunctionRef<void(FitMinimum)> found, FunctionRef<void()> ended) {
   const Vector sigma = engine.sigma;
   const auto laws = engine.laws;
-  const auto with_first_sizes = [&] {
-    engine.sigma = sigma;
-    engine.laws = laws;
-  };
   const int count = options.range_starts;
   Random random(context.seed);
   const std::vector<FitPoint> points =
@@ -74,28 +82,24 @@ bool search_ranges(FitEngine& engine, const FitUnknowns& unknowns, const FitPoin
     context.report("trying starts over the ranges",
                    static_cast<double>(first) / static_cast<double>(count));
     std::vector<Begun> begun;
-    const int last = std::min(first + kRound, count);
-    for (int i = first; i < last; ++i) {
-      auto best = best_of(engine, unknowns, points, static_cast<std::size_t>(kDraws * i), kDraws);
-      if (!best) {
+    for (int i = first; i < std::min(first + kRound, count); ++i)
+      if (auto one = first_steps(engine, unknowns, points, i, context))
+        begun.push_back(std::move(*one));
+      else
         ended();
-        continue;
-      }
-      Begun one{minimise(engine, unknowns, best->point, {}, kFirstSteps, context)};
-      one.deviance = deviance_of(engine, unknowns, one.minimum);
-      begun.push_back(std::move(one));
-    }
     std::stable_sort(begun.begin(), begun.end(),
                      [](const Begun& a, const Begun& b) { return a.deviance < b.deviance; });
-    const std::size_t kept = (begun.size() + 1) / 2;
     for (std::size_t i = 0; i < begun.size(); ++i) {
-      if (i >= kept) {
+      deviances.push_back(begun[i].deviance);  // what is left stands for a minimum of its own
+      if (2 * i >= begun.size() + 1) {
         ended();
         continue;
       }
-      FitMinimum minimum = reweighted(engine, unknowns, std::move(begun[i].minimum), options, context);
-      deviances.push_back(deviance_of(engine, unknowns, minimum));
-      with_first_sizes();
+      FitMinimum minimum =
+          reweighted(engine, unknowns, std::move(begun[i].minimum), options, context);
+      engine.sigma = sigma;
+      engine.laws = laws;
+      deviances.back() = deviance_of(engine, unknowns, minimum);
       found(std::move(minimum));
     }
     if (is_settled(deviances, kAlike * engine.records.valid.sum())) return true;

@@ -20,8 +20,8 @@ bool is_settled(std::vector<double> deviances, double alike);
 
 /// Fits from starts over the ranges, in rounds: from each some steps are made, and the better half
 /// goes on to its minimum, the sizes of the noise fitted in turn. Each start is the best of a few
-/// draws. Steps of the integration are implicit ones, whose error is controlled wherever a start is.
-/// Rounds end when they are settled.
+/// draws. Steps of the integration are best implicit ones, whose error is controlled wherever a
+/// start is. Rounds end when they are settled; a start that was left counts with where it was.
 /// @param found gets each minimum. @param ended called for each start that was left.
 /// @return whether they are settled.
 bool search_ranges(FitEngine& engine, const FitUnknowns& unknowns, const FitPoint& start,
