@@ -300,8 +300,10 @@ void keep_better(FitEngine& engine, const FitUnknowns& unknowns, const FitPoint&
     search.best = std::move(found);
 }
 
-/// Fits from starts over the ranges, by implicit steps, which are exact wherever a start is.
-/// @return whether more starts are not likely to find more.
+constexpr int kEnough = 4;  // searches that come to the best minimum: others are not needed
+
+/// Fits from starts over the ranges, then about the best of them, by implicit steps, which are
+/// exact wherever a start is. @return whether more starts are not likely to find more.
 bool try_ranges(FitEngine& engine, const FitUnknowns& unknowns, const FitPoint& start,
                 const FitSearchOptions& options, const RunContext& context, FitSearch& search) {
   const bool were_explicit = !engine.implicit;
@@ -311,6 +313,16 @@ bool try_ranges(FitEngine& engine, const FitUnknowns& unknowns, const FitPoint& 
   };
   const bool settled = search_ranges(engine, unknowns, start, options, context, take,
                                      [&] { ++search.starts; });
+  // Minima beside the best one are often better: parameters are moved from there.
+  Random random(context.seed);
+  for (int i = 0; i < options.restarts && !settled && search.agreeing < kEnough; ++i) {
+    if (!std::isfinite(search.best.path.cost)) break;
+    take_sizes(engine, unknowns, search.best.path);
+    const double spread = i % 2 == 0 ? options.spread : options.spread * options.spread;
+    const FitPoint beside =
+        other_start(engine, unknowns, search.best.point, spread, random);
+    take(minimise(engine, unknowns, beside, {}, options.most_iterations, context));
+  }
   if (were_explicit && leave_implicit_steps(engine, search.best.point))
     choose_substeps(engine, search.best.point, {}, kFine);
   return settled;
@@ -321,7 +333,6 @@ bool try_ranges(FitEngine& engine, const FitUnknowns& unknowns, const FitPoint& 
 void try_other_starts(FitEngine& engine, const FitUnknowns& unknowns, const FitPoint& start,
                       const FitSearchOptions& options, const RunContext& context,
                       FitSearch& search) {
-  constexpr int kEnough = 4;
   const auto take = [&](FitMinimum found) {
     keep_better(engine, unknowns, start, std::move(found), options, context, search);
   };

@@ -90,7 +90,7 @@ bool search_ranges(FitEngine& engine, const FitUnknowns& unknowns, const FitPoin
     std::stable_sort(begun.begin(), begun.end(),
                      [](const Begun& a, const Begun& b) { return a.deviance < b.deviance; });
     for (std::size_t i = 0; i < begun.size(); ++i) {
-      deviances.push_back(begun[i].deviance);  // what is left stands for a minimum of its own
+      deviances.push_back(begun[i].deviance);
       if (2 * i >= begun.size() + 1) {
         ended();
         continue;
