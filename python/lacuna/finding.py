@@ -250,6 +250,7 @@ def fit(
     start_time: float | None = None,
     ahead: int = 10,
     restarts: int = 8,
+    starts: int | None = None,
     profile: bool = False,
     bands: bool = False,
     predict: Any = None,
@@ -277,6 +278,9 @@ def fit(
         Samples ahead of the error of prediction.
     restarts : int, optional
         Other starts, at most, where residuals stay above the noise.
+    starts : int, optional
+        Starts anywhere in the ranges of parameters, at most, wherever the first fit ends;
+        None: 40 where a range is wide and residuals are above the noise.
     profile : bool, optional
         Profiles of the likelihood of every number, however long it takes.
     bands : bool, optional
@@ -314,6 +318,7 @@ def fit(
         "start_time": start_time,
         "ahead": ahead,
         "restarts": restarts,
+        "starts": starts,
         "profile": profile,
         "bands": bands,
         "effort": effort,

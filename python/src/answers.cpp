@@ -84,6 +84,7 @@ cli::FitRequest fit_request(const Given& given) {
   given.take("start_time", request.fit.start_time);
   given.take("ahead", request.fit.prediction);
   given.take("restarts", request.fit.restarts);
+  given.take("starts", request.fit.starts);
   given.take("profile", request.fit.profile);
   given.take("bands", request.fit.bands);
   given.take("condition_paths", request.conditions.paths);

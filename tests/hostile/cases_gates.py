@@ -40,7 +40,7 @@ def value_cases():
                            "%s %s=%s" % (command, option, value), 2,
                            "step" if value in ["-1", "inf", "0"] and option == "--dt" else option)
     for option, values in {"--start-samples": NO_COUNT + ["0"], "--ahead": NO_COUNT + ["0"],
-                           "--restarts": NO_COUNT + ["101"]}.items():
+                           "--restarts": NO_COUNT + ["101"], "--starts": NO_COUNT}.items():
         for value in values:
             yield case("fit %s %s" % (option, value), "%s %s=%s" % (FIT, option, value), 2, option)
     for value in NO_COUNT + ["21"]:

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Pages as a reader types them: files are written, commands run, what is shown is looked for
 // in what they print.
+#include <cstdlib>
 #include <map>
 #include <regex>
 #include <set>
@@ -140,9 +141,21 @@ TEST(Pages, TheLoopOfAPlanLeavesAnInput) {
   EXPECT_THAT(desk.folder().read("third.csv"), ::testing::HasSubstr("u [N]"));
 }
 
+/// The record is one of LACUNA_DATA.
+TEST(Pages, TheHeaterIsFittedToItsRecord) {
+  const char* data = std::getenv("LACUNA_DATA");
+  if (data == nullptr) GTEST_SKIP() << "LACUNA_DATA is not set";
+  const Desk desk;
+  const std::string record = "tclab_sine_test_5min_period.csv";
+  std::filesystem::copy_file(std::string(data) + "/devices/tclab/" + record,
+                             desk.folder().file(record));
+  EXPECT_EQ(follow(read_page("docs/fit/heater.md"), desk), 1);
+}
+
 /// Pages with commands to be run, but those above.
 std::vector<PageText> pages_to_follow() {
-  const std::set<std::string> above = {"docs/tutorial.md", "docs/cookbook.md", "docs/plan.md"};
+  const std::set<std::string> above = {"docs/tutorial.md", "docs/cookbook.md", "docs/plan.md",
+                                       "docs/fit/heater.md"};
   std::vector<PageText> pages;
   for (PageText& page : all_pages())
     if (!above.contains(page.path) &&

@@ -180,6 +180,10 @@ Command declare_fit(CLI::App& root) {
                   "Other starts, at most, where residuals stay above the noise")
       ->check(CLI::Range(0, 100))
       ->capture_default_str();
+  app->add_option("--starts", options->fit.starts,
+                  "Starts anywhere in the ranges of parameters, at most, wherever the first fit "
+                  "ends [default: 40 where a range is wide and residuals are above the noise]")
+      ->check(CLI::Range(0, 10000));
   app->add_flag("--profile", options->fit.profile,
                 "Profiles of the likelihood of every number, however long it takes");
   app->add_flag("--bands", options->fit.bands,

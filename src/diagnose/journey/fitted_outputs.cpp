@@ -43,7 +43,8 @@ FittedOutputs with_fitted_outputs(const SystemModel& model, const Dataset& recor
   context.report("fitting the parameters of outputs", 0.0);
   const RunContext quiet{context.stop, {}, context.threads, context.seed};
   try {
-    const Fit found = fit(model, records, {}, FitOptions{.restarts = kRestarts}, quiet);
+    const FitOptions options{.restarts = kRestarts, .starts = 0};
+    const Fit found = fit(model, records, {}, options, quiet);
     std::vector<Parameter> parameters = model.parameters();
     std::vector<std::string> changed;
     for (const FittedParameter& fitted : found.numbers)

@@ -130,7 +130,9 @@ FitEstimate estimate(const SystemModel& system, FitEngine& engine,
       search_fit(engine, unknowns, start,
                  {.restarts = options.restarts,
                   .spread = options.spread,
-                  .only_given = options.effort == Thoroughness::Quick},
+                  .only_given = options.effort == Thoroughness::Quick,
+                  .range_starts = options.starts.value_or(usual_range_starts(engine)),
+                  .always_ranges = options.starts.has_value()},
                  context);
   if (!std::isfinite(search.best.path.cost)) throw_no_run();
   context.unhurried().report("errors of the numbers", 0.9);

@@ -91,13 +91,13 @@ Matrix take_in(const FitEngine& engine, Index sample, const Matrix& residuals,
   return gain;
 }
 
+}  // namespace
+
 void take_implicit_steps(FitEngine& engine) {
   engine.implicit.emplace();
   for (const DrivingSamples& samples : driving_samples(engine.records.series, engine.rates))
     engine.implicit->signals.emplace_back(samples);
 }
-
-}  // namespace
 
 FitEngine fit_engine(const ParametrisedModel& model, FitRecords records) {
   Rates rates(model);

@@ -84,6 +84,9 @@ FitPath follow(FitEngine& engine, const FitPoint& point, const Gains& gains);
 void follow_record(FitEngine& engine, const FitPoint& point, const Gains& gains, Index record,
                    FitPath& path);
 
+/// Takes implicit steps, whose error is controlled, from now on.
+void take_implicit_steps(FitEngine& engine);
+
 /// Takes implicit steps where the model is stiff: along its path with them explicit ones are
 /// unstable, as many as there may be in a sampling interval. Where events are set off by guards
 /// steps are implicit anyway.

@@ -10,6 +10,8 @@
 
 #include "core/base/random.hpp"
 #include "fit_quality.hpp"
+#include "starts/other_starts.hpp"
+#include "starts/range_search.hpp"
 
 namespace lacuna {
 namespace {
@@ -22,6 +24,10 @@ constexpr double kExact = 1e-9;  // of the noise: residuals of a channel that is
 
 /// Steps of a minimum: all residuals together change by less than this part of a deviation.
 constexpr double kFine = 0.2;
+
+/// Explicit steps that change all residuals together by so much of a deviation are wrong: five
+/// times what halving them may do, a decision.
+constexpr double kWrong = 1.0;
 
 double spread_of(const Vector& values) {
   return std::sqrt((values.array() - values.mean()).square().mean());
@@ -66,93 +72,6 @@ bool size_moves(const std::optional<ChannelNoise>& noise) {
   return is_open && (law.below || law.above);
 }
 
-/// Residuals of several channels count by their size; a few rounds settle it.
-FitMinimum reweighted(FitEngine& engine, const FitUnknowns& unknowns, FitMinimum found,
-                      const FitSearchOptions& options, const RunContext& context) {
-  // Sizes that move settle in turn with the parameters, and profiles compare likelihoods of
-  // them: 2 n 0.003^2 of a deviance is left for n values.
-  const bool moving = sizes_move(engine);
-  const int rounds = moving ? 20 : 5;
-  const double settled = moving ? 0.003 : 0.01;
-  const Vector least = kExact * engine.sigma;
-  for (int round = 0; round < rounds && std::isfinite(found.path.cost); ++round) {
-    const Vector rms = residual_rms(engine, unknowns, found.path);
-    const Vector sigma = rms.cwiseMax(least);
-    const double change =
-        std::max((sigma.array() / engine.sigma.array()).log().abs().maxCoeff(),
-                 estimate_laws(engine, unknowns, found.path));
-    engine.sigma = sigma;
-    found.path = follow(engine, found.point, {});  // its cost with the new sizes
-    if (round > 0 && change < settled) break;
-    found = minimise(engine, unknowns, found.point, {}, options.most_iterations, context);
-  }
-  return found;
-}
-
-/// Another start: parameters off by a random factor, hidden states anywhere.
-FitPoint other_start(FitEngine& engine, const FitUnknowns& unknowns, FitPoint point,
-                     double spread, Random& random) {
-  for (Index p = 0; p < point.parameters.cols(); ++p) {
-    const double factor = std::exp(std::log(spread) * random.uniform(-1.0, 1.0));
-    point.parameters.col(p) = (factor * point.parameters.col(p))
-                                  .cwiseMax(unknowns.lower[p])
-                                  .cwiseMin(unknowns.upper[p]);
-  }
-  const FitPath path = follow(engine, point, {});
-  const Vector scale = disturbances_of(engine, path, 1.0).scale;
-  for (Index k = 0; k < engine.states(); ++k)
-    if (engine.records.guessed[static_cast<std::size_t>(k)])
-      for (Index r = 0; r < point.starts.rows(); ++r)
-        point.starts(r, k) = scale[k] * random.normal();
-  return point;
-}
-
-/// The start with hidden states one spread from it all at once: levels and concentrations are
-/// all positive. Nothing where no state is guessed.
-std::optional<FitPoint> raised(FitEngine& engine, FitPoint point, double sign) {
-  const Vector scale = disturbances_of(engine, follow(engine, point, {}), 1.0).scale;
-  bool any = false;
-  for (Index k = 0; k < engine.states(); ++k) {
-    if (!engine.records.guessed[static_cast<std::size_t>(k)]) continue;
-    point.starts.col(k).array() += sign * scale[k];
-    any = true;
-  }
-  return any ? std::optional(std::move(point)) : std::nullopt;
-}
-
-/// Whether a range is positive and so wide that starts about another one do not come to its ends.
-bool is_wide(double lower, double upper, double spread) {
-  return lower > 0.0 && std::isfinite(upper) && upper / lower > std::pow(spread, 4.0);
-}
-
-/// A start anywhere in the ranges: of some that are even in the logarithms of parameters with wide
-/// ranges, the one with the best free run. Nothing where no range is wide or no run is finite.
-std::optional<FitPoint> start_in_ranges(FitEngine& engine, const FitUnknowns& unknowns,
-                                        const FitPoint& start, double spread, Random& random) {
-  constexpr int kDraws = 10;  // a decision: they cost less than one minimisation
-  std::optional<FitPoint> best;
-  double least = std::numeric_limits<double>::infinity();
-  for (int draw = 0; draw < kDraws; ++draw) {
-    FitPoint point = other_start(engine, unknowns, start, spread, random);
-    bool any = false;
-    for (const Index p : unknowns.global) {
-      const double lower = unknowns.lower[p], upper = unknowns.upper[p];
-      if (!is_wide(lower, upper, spread)) continue;
-      any = true;
-      const double fraction = random.uniform(0.0, 1.0);
-      point.parameters.col(p).setConstant(lower * std::pow(upper / lower, fraction));
-    }
-    if (!any) return std::nullopt;
-    choose_method(engine, point);
-    const double cost = total_cost(unknowns, point, follow(engine, point, {}));
-    if (cost < least) {
-      least = cost;
-      best = std::move(point);
-    }
-  }
-  return best;
-}
-
 /// -2 log-likelihood of the values of a channel, less a constant, with the size of its noise that
 /// is the best for a path.
 double channel_deviance(const FitEngine& engine, const FitPath& path, Index c) {
@@ -174,18 +93,6 @@ double channel_deviance(const FitEngine& engine, const FitPath& path, Index c) {
     deviance = 2.0 * static_cast<double>(residuals.size()) *
                std::log(std::max(rms, kExact * engine.sigma[c]));
   }
-  return deviance;
-}
-
-/// What minima are compared by: -2 log-likelihood less a constant. Guesses of the noise, with which
-/// they were found, may weigh channels so that the wrong one is lower. Infinite where no run is.
-double deviance_of(const FitEngine& engine, const FitUnknowns& unknowns,
-                   const FitMinimum& minimum) {
-  if (!std::isfinite(minimum.path.cost)) return std::numeric_limits<double>::infinity();
-  double deviance =
-      total_cost(unknowns, minimum.point, minimum.path) - minimum.path.cost;  // of priors
-  for (Index c = 0; c < engine.count(); ++c)
-    deviance += channel_deviance(engine, minimum.path, c);
   return deviance;
 }
 
@@ -227,10 +134,44 @@ bool changed_a_sign(const FitPoint& a, const FitPoint& b) {
   return (a.parameters.array() * b.parameters.array() < 0.0).any();
 }
 
+/// Whether records are so few that all starts are tried.
+bool is_cheap(const FitEngine& engine) {
+  constexpr double kCheap = 2e4;  // entries of the rows
+  return static_cast<double>(engine.states() + engine.parameters()) *
+             static_cast<double>(engine.records.samples()) <
+         kCheap;
+}
+
 }  // namespace
+
+double deviance_of(const FitEngine& engine, const FitUnknowns& unknowns,
+                   const FitMinimum& minimum) {
+  if (!std::isfinite(minimum.path.cost)) return std::numeric_limits<double>::infinity();
+  double deviance =
+      total_cost(unknowns, minimum.point, minimum.path) - minimum.path.cost;  // of priors
+  for (Index c = 0; c < engine.count(); ++c)
+    deviance += channel_deviance(engine, minimum.path, c);
+  return deviance;
+}
+
+int usual_range_starts(const FitEngine& engine) {
+  // Decisions: one in seven of them comes to the best minimum of published problems.
+  constexpr int kUsual = 40, kWithMany = 10;
+  return is_cheap(engine) ? kUsual : kWithMany;
+}
 
 bool sizes_move(const FitEngine& engine) {
   return std::any_of(engine.laws.begin(), engine.laws.end(), size_moves);
+}
+
+double take_sizes(FitEngine& engine, const FitUnknowns& unknowns, const FitPath& path) {
+  const Vector sigma =
+      residual_rms(engine, unknowns, path).cwiseMax(kExact * engine.sigma);
+  const double change =
+      std::max((sigma.array() / engine.sigma.array()).log().abs().maxCoeff(),
+               estimate_laws(engine, unknowns, path));
+  engine.sigma = sigma;
+  return change;
 }
 
 double estimate_laws(FitEngine& engine, const FitUnknowns& unknowns, const FitPath& path) {
@@ -252,6 +193,22 @@ double estimate_laws(FitEngine& engine, const FitUnknowns& unknowns, const FitPa
   return change;
 }
 
+FitMinimum reweighted(FitEngine& engine, const FitUnknowns& unknowns, FitMinimum found,
+                      const FitSearchOptions& options, const RunContext& context) {
+  // Sizes that move settle in turn with the parameters, and profiles compare likelihoods of
+  // them: 2 n 0.003^2 of a deviance is left for n values.
+  const bool moving = sizes_move(engine);
+  const int rounds = moving ? 20 : 5;
+  const double settled = moving ? 0.003 : 0.01;
+  for (int round = 0; round < rounds && std::isfinite(found.path.cost); ++round) {
+    const double change = take_sizes(engine, unknowns, found.path);
+    found.path = follow(engine, found.point, {});  // its cost with the new sizes
+    if (round > 0 && change < settled) break;
+    found = minimise(engine, unknowns, found.point, {}, options.most_iterations, context);
+  }
+  return found;
+}
+
 bool choose_substeps(FitEngine& engine, const FitPoint& point, const Gains& gains,
                      double small) {
   if (engine.implicit) return false;
@@ -271,6 +228,19 @@ bool choose_substeps(FitEngine& engine, const FitPoint& point, const Gains& gain
   }
   choose_method(engine, point);
   return substeps != before || engine.implicit.has_value();
+}
+
+bool check_by_implicit_steps(FitEngine& engine, FitMinimum& minimum, double small) {
+  if (engine.implicit || !std::isfinite(minimum.path.cost)) return false;
+  take_implicit_steps(engine);
+  FitPath exact = follow(engine, minimum.point, {});
+  const Matrix change = whitened(engine, exact) - whitened(engine, minimum.path);
+  if (!std::isfinite(exact.cost) || change.norm() < small) {
+    engine.implicit.reset();
+    return false;
+  }
+  minimum.path = std::move(exact);
+  return true;
 }
 
 Vector residual_rms(const FitEngine& engine, const FitUnknowns& unknowns, const FitPath& path) {
@@ -308,14 +278,18 @@ namespace {
 
 /// Compares one more minimum with the best.
 void keep_better(FitEngine& engine, const FitUnknowns& unknowns, const FitPoint& start,
-                 FitMinimum found, FitSearch& search) {
-  // Of the deviance of one value: 1 % and 0.01 % of the sum of squares.
-  constexpr double kAlike = 0.01, kSame = 1e-4;
+                 FitMinimum found, const FitSearchOptions& options, const RunContext& context,
+                 FitSearch& search) {
+  constexpr double kSame = 1e-4;  // of the deviance of one value: 0.01 % of the sum of squares
   ++search.starts;
   search.best.path = follow(engine, search.best.point, {});  // steps may be finer by now
-  const double before = deviance_of(engine, unknowns, search.best),
-               now = deviance_of(engine, unknowns, found),
-               values = engine.records.valid.sum();
+  const double values = engine.records.valid.sum(),
+               before = deviance_of(engine, unknowns, search.best);
+  double now = deviance_of(engine, unknowns, found);
+  if (now < before) {  // steps may be too long for it, and the minimum one of their errors
+    found = polished(engine, unknowns, std::move(found), options, context);
+    now = deviance_of(engine, unknowns, found);
+  }
   if (now < before - kAlike * values)
     search.agreeing = 1;
   else if (now < before + kAlike * values)
@@ -326,20 +300,41 @@ void keep_better(FitEngine& engine, const FitUnknowns& unknowns, const FitPoint&
     search.best = std::move(found);
 }
 
+constexpr int kEnough = 4;  // searches that come to the best minimum: others are not needed
+
+/// Fits from starts over the ranges, then about the best of them, by implicit steps, which are
+/// exact wherever a start is. @return whether more starts are not likely to find more.
+bool try_ranges(FitEngine& engine, const FitUnknowns& unknowns, const FitPoint& start,
+                const FitSearchOptions& options, const RunContext& context, FitSearch& search) {
+  const bool were_explicit = !engine.implicit;
+  if (were_explicit) take_implicit_steps(engine);
+  const auto take = [&](FitMinimum found) {
+    keep_better(engine, unknowns, start, std::move(found), options, context, search);
+  };
+  const bool settled = search_ranges(engine, unknowns, start, options, context, take,
+                                     [&] { ++search.starts; });
+  // Minima beside the best one are often better: parameters are moved from there.
+  Random random(context.seed);
+  for (int i = 0; i < options.restarts && !settled && search.agreeing < kEnough; ++i) {
+    if (!std::isfinite(search.best.path.cost)) break;
+    take_sizes(engine, unknowns, search.best.path);
+    const double spread = i % 2 == 0 ? options.spread : options.spread * options.spread;
+    const FitPoint beside =
+        other_start(engine, unknowns, search.best.point, spread, random);
+    take(minimise(engine, unknowns, beside, {}, options.most_iterations, context));
+  }
+  if (were_explicit && leave_implicit_steps(engine, search.best.point))
+    choose_substeps(engine, search.best.point, {}, kFine);
+  return settled;
+}
+
 /// Fits from other starts, as long as a better fit may be there.
 /// @throws OutOfTime past the deadline, with the best fit so far.
 void try_other_starts(FitEngine& engine, const FitUnknowns& unknowns, const FitPoint& start,
                       const FitSearchOptions& options, const RunContext& context,
                       FitSearch& search) {
-  constexpr int kEnough = 4;
-  // Starts in wide ranges for one about the given numbers, where no run was finite: a decision.
-  constexpr int kInRanges = 2;
-  constexpr double kCheap = 2e4;  // entries of the rows, below which all starts are tried
-  const bool cheap = static_cast<double>(engine.states() + engine.parameters()) *
-                         static_cast<double>(engine.records.samples()) <
-                     kCheap;
   const auto take = [&](FitMinimum found) {
-    keep_better(engine, unknowns, start, std::move(found), search);
+    keep_better(engine, unknowns, start, std::move(found), options, context, search);
   };
   // Hidden states have minima that are good and wrong; there the residuals must be white.
   const bool guessed = raised(engine, start, 1.0).has_value();
@@ -347,7 +342,8 @@ void try_other_starts(FitEngine& engine, const FitUnknowns& unknowns, const FitP
     return excess(engine, unknowns, search.best) <= options.good &&
            (!guessed || are_white(engine, whitened(engine, search.best.path)));
   };
-  if (good() && !changed_a_sign(search.best.point, start)) return;
+  const bool is_good = good();
+  if (is_good && !changed_a_sign(search.best.point, start) && !options.always_ranges) return;
   take(minimise(engine, unknowns, start, {}, options.most_iterations, context));
   FitUnknowns only_starts = unknowns;
   only_starts.global.clear();
@@ -357,23 +353,25 @@ void try_other_starts(FitEngine& engine, const FitUnknowns& unknowns, const FitP
           minimise(engine, only_starts, *other, {}, options.most_iterations, context);
       take(minimise(engine, unknowns, begun.point, {}, options.most_iterations, context));
     }
+  const bool wanted =
+      options.always_ranges || (has_wide_range(unknowns, options.spread) && !good());
+  const bool ranged = wanted && options.range_starts > 0;
+  const bool settled = ranged && try_ranges(engine, unknowns, start, options, context, search);
   Random random(context.seed);
-  for (int i = 0; i < options.restarts; ++i) {
-    const bool sure =
-        !cheap && search.agreeing >= kEnough && std::isfinite(search.best.path.cost);
+  // Some are kept for paths that starts over ranges lose, oscillations above all: a decision.
+  const int restarts = ranged ? (options.restarts + 3) / 4 : options.restarts;
+  for (int i = 0; i < restarts && !settled; ++i) {
+    const bool sure = (!is_cheap(engine) || ranged) && search.agreeing >= kEnough &&
+                      std::isfinite(search.best.path.cost);
     if (sure || good()) break;
     context.report("trying other starts",
-                   static_cast<double>(i) / static_cast<double>(options.restarts));
+                   static_cast<double>(i) / static_cast<double>(restarts));
     FitSearchOptions other = options;  // some with less disturbance from the first on
     other.first_level = static_cast<std::size_t>(2 * (i % 3));
     const double spread = i % 2 == 0 ? options.spread : options.spread * options.spread;
     take(continued(engine, unknowns, other_start(engine, unknowns, start, spread, random),
                    other, context));
   }
-  const auto is_lost = [&] { return !std::isfinite(search.best.path.cost); };
-  for (int i = 0; i < kInRanges * options.restarts && is_lost(); ++i)
-    if (const auto point = start_in_ranges(engine, unknowns, start, options.spread, random))
-      take(minimise(engine, unknowns, *point, {}, options.most_iterations, context));
   if (changed_a_sign(search.best.point, start))
     take(minimise(engine, unknowns, mirrored(search.best.point, start), {},
                   options.most_iterations, context));
@@ -400,6 +398,7 @@ FitSearch search_fit(FitEngine& engine, const FitUnknowns& unknowns, const FitPo
   choose_method(engine, start);
   FitSearch search = from_several_starts(engine, unknowns, start, options, context);
   const RunContext needed = context.unhurried();
+  if (std::isfinite(search.best.path.cost)) take_sizes(engine, unknowns, search.best.path);
   if (leave_implicit_steps(engine, search.best.point)) {
     choose_substeps(engine, search.best.point, {}, kFine);
     search.best =
@@ -408,6 +407,8 @@ FitSearch search_fit(FitEngine& engine, const FitUnknowns& unknowns, const FitPo
   search.best = reweighted(engine, unknowns, std::move(search.best), options, needed);
   search.best = polished(engine, unknowns, std::move(search.best), options, needed);
   search.best = reweighted(engine, unknowns, std::move(search.best), options, needed);
+  if (check_by_implicit_steps(engine, search.best, kWrong))
+    search.best = reweighted(engine, unknowns, std::move(search.best), options, needed);
   return search;
 }
 

@@ -14,6 +14,10 @@ struct FitSearch {
   bool in_time = true;  ///< whether no deadline came before the last other start
 };
 
+/// Minima whose deviances differ by less for each value are taken for one: 1 % of the sum of
+/// squares.
+constexpr double kAlike = 0.01;
+
 /// How the search is made.
 struct FitSearchOptions {
   int restarts = 8;             ///< at most so many other starts
@@ -22,6 +26,8 @@ struct FitSearchOptions {
   int most_iterations = 60;     ///< of each minimisation
   std::size_t first_level = 0;  ///< of the falling disturbances, from which it begins
   bool only_given = false;      ///< whether no other start is tried
+  int range_starts = 0;         ///< at most so many anywhere in the ranges
+  bool always_ranges = false;   ///< whether these are tried wherever the first fit ends
 };
 
 /// Finds the least sum of squares of a free run.
@@ -37,11 +43,19 @@ struct FitSearchOptions {
 FitSearch search_fit(FitEngine& engine, const FitUnknowns& unknowns, const FitPoint& start,
                      const FitSearchOptions& options, const RunContext& context);
 
+/// Starts over the ranges where no number is given: fewer where each takes long.
+int usual_range_starts(const FitEngine& engine);
+
 /// Steps so fine that halving them changes the residuals by little beside their deviations:
 /// `small` in all samples together. Implicit steps choose themselves.
 /// @return whether steps are others than before.
 bool choose_substeps(FitEngine& engine, const FitPoint& point, const Gains& gains,
                      double small);
+
+/// Whether explicit steps were wrong at a minimum, however alike halves of them are: residuals by
+/// implicit steps, whose error is controlled, differ by `small` deviations or more in all samples
+/// together. Then these are taken from now on, and the path is that by them.
+bool check_by_implicit_steps(FitEngine& engine, FitMinimum& minimum, double small);
 
 /// Whether the sizes of some law that are estimated depend on where the model is: those of a law
 /// with limits. Without limits the information of location and size is that of independent
@@ -51,6 +65,21 @@ bool sizes_move(const FitEngine& engine);
 /// Gives the laws of channels their sizes of the largest likelihood, with the degrees of freedom
 /// of the fit where sizes do not move. @return the largest change of a logarithm.
 double estimate_laws(FitEngine& engine, const FitUnknowns& unknowns, const FitPath& path);
+
+/// Gives channels and laws the sizes that the residuals of a path have. @return the largest change
+/// of a logarithm.
+double take_sizes(FitEngine& engine, const FitUnknowns& unknowns, const FitPath& path);
+
+/// What minima are compared by: -2 log-likelihood less a constant, with the sizes of the noise that
+/// are the best for each. Guesses of the noise, with which they were found, may weigh channels so
+/// that the wrong one is lower. Infinite where no run is.
+double deviance_of(const FitEngine& engine, const FitUnknowns& unknowns,
+                   const FitMinimum& minimum);
+
+/// The minimum where each channel counts by the size of its residuals; laws alike. The engine has
+/// these sizes then.
+FitMinimum reweighted(FitEngine& engine, const FitUnknowns& unknowns, FitMinimum found,
+                      const FitSearchOptions& options, const RunContext& context);
 
 /// Root mean square of the residuals of each channel, with degrees of freedom taken evenly.
 Vector residual_rms(const FitEngine& engine, const FitUnknowns& unknowns, const FitPath& path);
