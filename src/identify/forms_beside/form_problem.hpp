@@ -102,6 +102,9 @@ class FormProblem {
 
   double left(const EquationForms& equation) const;
 
+  /// As of FormSearch.
+  bool would_fit_noise(const EquationForms& equation, double share) const;
+
   /// The constant and the variables.
   std::vector<Term> linear_terms() const;
 
