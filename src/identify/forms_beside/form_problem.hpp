@@ -144,7 +144,8 @@ class FormProblem {
 
  private:
   /// The equation without that member, the last form apart, that is missed least.
-  Trial without_least(const EquationForms& equation) const;
+  /// @param members its columns; the same of what is returned.
+  Trial without_least(const EquationForms& equation, Matrix& members) const;
 
   /// Fits the shapes of a form beside columns that stay. @return the residual.
   double fit_shapes(const BaseColumns& base, MissingForm& form, const ShapeFit& fit) const;
