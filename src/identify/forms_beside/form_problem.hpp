@@ -92,6 +92,9 @@ class FormProblem {
   /// @param noise the sum of squares that noise leaves.
   double same_as(double left, double noise) const;
 
+  /// Columns of starting points that were made so far.
+  Index columns_made() const { return columns_.made(); }
+
   /// What may take the place of an equation. Where its trajectories leave nothing but noise,
   /// what it leaves here is noise too, however much of it: noise in terms is not in the
   /// whitening.

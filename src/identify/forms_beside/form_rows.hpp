@@ -118,11 +118,14 @@ class ColumnMemory {
   /// K x forms: what is kept, the rest from `make`.
   Matrix columns(const std::vector<Expression>& forms, Index rows, Maker make) const;
 
+  /// Columns that were made so far.
+  Index made() const;
+
  private:
   const Index most_;
   mutable std::mutex guard_;
   mutable std::map<std::string, Vector> kept_;  ///< by the text of a form
-  mutable Index numbers_ = 0;
+  mutable Index numbers_ = 0, made_ = 0;
 };
 
 /// |y - A h|^2 of the least squares solution; infinite where a column is not finite.
