@@ -43,8 +43,10 @@ TEST(Explanation, ShapesOfWhatHasLostItsPathAreNotMoved) {
 
 TEST(Explanation, AFitOfAFreeInputIsWhereTheSameFitEnds) {
   const Dataset data = support::hidden_record(
-      [](double t, double, double) { return 0.5 * std::sin(0.7 * t) * std::cos(0.31 * t); },
-      0.002);
+      [](double t, double, double) {
+        return 2.0 * std::sin(3.1 * t) * std::cos(0.31 * t) + std::sin(7.3 * t);
+      },
+      0.0005);
   const Assimilation base = support::assimilated(data);
   Candidate input = support::plain_candidate("drive");
   input.memory = {{"drive", parse_expression("-drive/memory"), Expression::number(0.0), true}};
