@@ -106,7 +106,7 @@ class FormProblem {
   double left(const EquationForms& equation) const;
 
   /// As of FormSearch.
-  bool would_fit_noise(const EquationForms& equation, double share) const;
+  bool would_fit_noise(const EquationForms& equation, double fraction) const;
 
   /// The constant and the variables.
   std::vector<Term> linear_terms() const;

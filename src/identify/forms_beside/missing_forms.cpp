@@ -62,8 +62,8 @@ double FormSearch::left(const EquationForms& equation) const {
   return problem_->left(equation);
 }
 
-bool FormSearch::would_fit_noise(const EquationForms& equation, double share) const {
-  return problem_->would_fit_noise(equation, share);
+bool FormSearch::would_fit_noise(const EquationForms& equation, double fraction) const {
+  return problem_->would_fit_noise(equation, fraction);
 }
 
 std::vector<Candidate> FormSearch::fractions(const Scope& scope, Index equation,

@@ -33,7 +33,7 @@ EquationForms rate_of_x(const FormProblem& problem, const std::string& term) {
   return {0, {Term(parse_expression(term), problem.all_rows().variables())}, {}};
 }
 
-TEST(NoiseLeft, IsWhatNoiseLeavesOfARightEquationOnAverage) {
+TEST(NoiseResidual, IsWhatNoiseLeavesOfARightEquationOnAverage) {
   constexpr int kRecords = 40;
   const Vector noise = Vector::Constant(2, kNoise);
   double sum = 0.0, squares = 0.0;
@@ -55,7 +55,7 @@ TEST(NoiseLeft, IsWhatNoiseLeavesOfARightEquationOnAverage) {
   EXPECT_NEAR(deviation, expected.deviation, 0.45 * expected.deviation);
 }
 
-TEST(NoiseLeft, SaysWhereAFormWouldFitNoise) {
+TEST(NoiseResidual, SaysWhereAFormWouldFitNoise) {
   const FormProblem problem(noisy_circle(1), Vector::Constant(2, kNoise));
   constexpr double kHalf = 0.5;
   EXPECT_TRUE(problem.would_fit_noise(rate_of_x(problem, "y"), kHalf));
@@ -64,7 +64,7 @@ TEST(NoiseLeft, SaysWhereAFormWouldFitNoise) {
   EXPECT_FALSE(problem.would_fit_noise({0, {}, {}}, kHalf));
 }
 
-TEST(NoiseLeft, IsNotKnownOfMeasuredRates) {
+TEST(NoiseResidual, IsNotKnownOfMeasuredRates) {
   Dataset data = noisy_circle(1);
   data.trajectories[0].derivatives = data.trajectories[0].states;
   const FormProblem problem(data, Vector::Constant(2, kNoise));

@@ -33,7 +33,7 @@ NoiseSquares FormRows::noise_squares(const Matrix& sensitivity, const Vector& no
   return {mean, std::sqrt(variance)};
 }
 
-bool FormProblem::would_fit_noise(const EquationForms& equation, double share) const {
+bool FormProblem::would_fit_noise(const EquationForms& equation, double fraction) const {
   // A decision (docs/decisions/numbers.md): once in 40 noise leaves less.
   constexpr double kDeviations = 2.0;
   // As in residual_squares(): a fact of rounding.
@@ -58,7 +58,7 @@ bool FormProblem::would_fit_noise(const EquationForms& equation, double share) c
   const Vector rotated = factor.transposed_times(target);
   const double left = rotated.tail(rotated.size() - factor.rank()).squaredNorm();
   const NoiseSquares noise = rows_.noise_squares(sensitivity, noise_, equation.equation);
-  return share * left < noise.mean - kDeviations * noise.deviation;
+  return fraction * left < noise.mean - kDeviations * noise.deviation;
 }
 
 }  // namespace lacuna
