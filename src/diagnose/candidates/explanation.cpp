@@ -27,14 +27,6 @@ bool is_driven_by(const OdeModel& model, Index equation, Index place,
   });
 }
 
-/// Whether an effect depends on what was before: its fit moves a path that it is made of.
-bool looks_back(const std::vector<FittedEffect>& effects) {
-  return std::any_of(effects.begin(), effects.end(), [](const FittedEffect& effect) {
-    return !effect.candidate.memory.empty() ||
-           contains(effect.candidate.form, Operation::Delay);
-  });
-}
-
 /// Where the fit of a problem begins: another fit of the same records with other memory states.
 /// @param nominal how many states, the first ones, both have; the others begin as columns of
 /// the problem's records, undisturbed.
@@ -214,25 +206,18 @@ class JointFit {
   }
 
   /// Moves the shapes and fits again until the likelihood rises no more, unless the fit has lost
-  /// its path: no step of shapes brings it back. Of a path that an effect looks back on the
-  /// deviance is that of a linearisation which the next turns may not find again: steps begin
-  /// from, and are compared with, what the same passes make of the fit itself.
-  Explanation with_shapes(Explanation given) const {
-    if (is_lost(given.fit)) return given;
+  /// its path: no step of shapes brings it back.
+  Explanation with_shapes(Explanation best) const {
+    if (is_lost(best.fit)) return best;
     // Facts of the search: a hidden path moves with the shapes, and so does one whose noise is
     // far below what the shapes do, as that of an encoder is. Where a part of a step had to do,
     // the next one begins with twice that part.
     constexpr int kShapeSteps = 12;
     constexpr double kLonger = 2.0;
     double part = 1.0;
-    Explanation best = given;
     for (int step = 0; step < kShapeSteps; ++step) {
       std::vector<FittedEffect> moved = best.effects;
       if (!move_shapes(best, moved)) break;
-      if (step == 0) {
-        given = best;
-        if (looks_back(best.effects)) best = at(best.fit, best.effects, kStepPasses);
-      }
       auto [next, taken] = in_reach(best, moved, part);
       const double drop = best.fit.deviance - next.fit.deviance;
       if (!(drop > 0.0)) break;
@@ -240,7 +225,7 @@ class JointFit {
       part = std::min(1.0, kLonger * taken);
       if (drop < kUnnoticedDeviance && taken == 1.0) break;
     }
-    return given.fit.deviance < best.fit.deviance ? given : best;
+    return best;
   }
 
  private:
