@@ -2,6 +2,7 @@
 #include "data/derivatives/moving_polynomial.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "core/base/check.hpp"
@@ -50,22 +51,62 @@ Matrix fit_rows(const Matrix& basis, const Matrix& inverse, Index at, double hal
   return rows;
 }
 
+/// Steps that differ by less are one: a fact of clocks.
+constexpr double kSameStep = 1e-3;
+
 /// Whether two windows of samples have the same shape.
 bool same_grid(const Vector& time, Index a, Index b, Index width) {
   const double h = time[a + 1] - time[a];
   for (Index i = 0; i < width; ++i)
-    if (std::abs((time[a + i] - time[a]) - (time[b + i] - time[b])) > 1e-3 * h) return false;
+    if (std::abs((time[a + i] - time[a]) - (time[b + i] - time[b])) > kSameStep * h)
+      return false;
   return true;
 }
 
-Smoothed smooth(const Vector& time, const Vector& values, Index width) {
+/// Whether all windows of samples have the same shape for certain.
+bool is_even(const Vector& time) {
+  const Vector steps = time.tail(time.size() - 1) - time.head(time.size() - 1);
+  return steps.maxCoeff() - steps.minCoeff() < 0.5 * kSameStep * steps.minCoeff();
+}
+
+/// Signal and rate at samples `at`, at + 1, ..., whose windows begin at samples `first`,
+/// first + 1, ...: sums from the first sample of a window to its last, of several samples side
+/// by side.
+void fill(const Matrix& rows, const Vector& values, Index first, Index at, Index count,
+          Smoothed& result) {
+  // A fact of caches.
+  constexpr Index kTogether = 64;
+  std::array<double, kTogether> signal{}, rate{};
+  for (Index begin = 0; begin < count; begin += kTogether) {
+    const Index size = std::min(kTogether, count - begin);
+    signal.fill(0.0);
+    rate.fill(0.0);
+    for (Index j = 0; j < rows.cols(); ++j) {
+      const double of_signal = rows(0, j), of_rate = rows(1, j);
+      const double* const from = values.data() + first + begin + j;
+      for (Index i = 0; i < size; ++i) {
+        signal[static_cast<std::size_t>(i)] += of_signal * from[i];
+        rate[static_cast<std::size_t>(i)] += of_rate * from[i];
+      }
+    }
+    for (Index i = 0; i < size; ++i) {
+      const Index sample = at + begin + i;
+      result.values(sample, 0) = signal[static_cast<std::size_t>(i)];
+      result.values(sample, 1) = rate[static_cast<std::size_t>(i)];
+      result.residuals[sample] = values[sample] - result.values(sample, 0);
+      result.trace += rows(0, sample - (first + begin + i));
+    }
+  }
+}
+
+Smoothed smooth(const Vector& time, const Vector& values, Index width, bool even) {
   const Index n = time.size(), degree = std::min<Index>(4, width - 1);
   Smoothed result{Matrix(n, 2), Vector(n), 0.0};
   Matrix basis, inverse, rows;
-  Index made_for = -1, place = -1;
-  for (Index i = 0; i < n; ++i) {
+  Index made_for = -1, place = -1, count = 1;
+  for (Index i = 0; i < n; i += count) {
     const Index first = window_begin(i, width, n);
-    if (made_for < 0 || !same_grid(time, made_for, first, width)) {
+    if (made_for < 0 || !(even || same_grid(time, made_for, first, width))) {
       basis = powers(time, first, width, degree);
       inverse = pseudo_inverse(basis);
       place = -1;
@@ -75,9 +116,9 @@ Smoothed smooth(const Vector& time, const Vector& values, Index width) {
       place = i - first;
       rows = fit_rows(basis, inverse, place, 0.5 * (time[first + width - 1] - time[first]));
     }
-    result.values.row(i) = (rows * values.segment(first, width)).transpose();
-    result.residuals[i] = values[i] - result.values(i, 0);
-    result.trace += rows(0, place);
+    // Within the record all samples are in the middle of their windows.
+    count = even && i == width / 2 ? n - width + 1 : 1;
+    fill(rows, values, first, i, count, result);
   }
   return result;
 }
@@ -94,7 +135,8 @@ Matrix smooth_by_polynomials(const Vector& time, const Vector& values, const Vec
                  "times, values and noise differ in number",
                  "give one of each for each sample");
   check_times(time, 1, "smooth_by_polynomials");
-  Smoothed best = smooth(time, values, std::min<Index>(5, n));
+  const bool even = n > 1 && is_even(time);
+  Smoothed best = smooth(time, values, std::min<Index>(5, n), even);
   if (!(noise.minCoeff() > 0.0)) return best.values;
   const auto risk = [&](const Smoothed& s) {
     return s.residuals.cwiseQuotient(noise).squaredNorm() + 2.0 * s.trace;
@@ -103,7 +145,7 @@ Matrix smooth_by_polynomials(const Vector& time, const Vector& values, const Vec
   int worse = 0;
   for (Index width = 7; width <= n / 2 && worse < 2;
        width += 2 * std::max<Index>(1, width / 4)) {
-    Smoothed wider = smooth(time, values, width);
+    Smoothed wider = smooth(time, values, width, even);
     worse = risk(wider) < risk(best) ? 0 : worse + 1;
     if (worse == 0) best = std::move(wider);
   }

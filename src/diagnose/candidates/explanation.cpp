@@ -15,6 +15,18 @@
 namespace lacuna {
 namespace {
 
+/// Whether a model has a memory state at a place, in an equation of it.
+bool is_driven_by(const OdeModel& model, Index equation, Index place,
+                  const MemoryState& memory) {
+  if (place >= model.dimension() ||
+      model.states()[static_cast<std::size_t>(place)].name != memory.name)
+    return false;
+  const Equation& terms = model.equations()[static_cast<std::size_t>(equation)];
+  return std::any_of(terms.begin(), terms.end(), [&](const WeightedTerm& summand) {
+    return summand.term.expression().variables().contains(memory.name);
+  });
+}
+
 /// Where the fit of a problem begins: another fit of the same records with other memory states.
 /// @param nominal how many states, the first ones, both have; the others begin as columns of
 /// the problem's records, undisturbed.
@@ -161,6 +173,9 @@ bool remembers(const Dataset& data) {
                      [](const Trajectory& record) { return record.states.allFinite(); });
 }
 
+/// Turns of a fit with moved shapes: a fact of the search.
+constexpr int kStepPasses = 3;
+
 /// Fits with the shapes as they are.
 class JointFit {
  public:
@@ -183,7 +198,7 @@ class JointFit {
     }
     options.passes = passes;
     Assimilation start = start_of(from, m, problem);
-    set_drives(effects, m, start.noise.disturbance);
+    set_drives(effects, m, from, start);
     Explanation result{std::move(effects),
                        assimilate_from(problem.model, problem.data, start, options, context)};
     read_coefficients(result);
@@ -240,7 +255,7 @@ class JointFit {
       for (std::size_t e = 0; e < effects.size(); ++e)
         effects[e].shapes = best.effects[e].shapes +
                             fraction * (moved[e].shapes - best.effects[e].shapes);
-      return at(best.fit, std::move(effects), 3);
+      return at(best.fit, std::move(effects), kStepPasses);
     };
     Moved result{at_part(part), part};
     for (int halving = 0; halving < kHalvings && !(result.fit.fit.deviance < best.fit.deviance);
@@ -268,16 +283,22 @@ class JointFit {
     options.units = std::move(unseen.units);
   }
 
-  /// Noise that moves the free inputs, to begin with such that they take over from the
-  /// disturbance of their equation.
+  /// Free inputs begin as a fit that has them found them: nothing else says what they are. Else
+  /// noise moves them, to begin with such that they take over from the disturbance of their
+  /// equation.
   static void set_drives(const std::vector<FittedEffect>& effects, Index next,
-                         Vector& disturbance) {
+                         const Assimilation& from, Assimilation& start) {
     constexpr double kFractionOfDisturbance = 0.1;  // a fact of the search: a start, no bound
     for (const FittedEffect& effect : effects)
       for (const MemoryState& memory : effect.candidate.memory) {
-        if (memory.driven) {
-          double& own = disturbance[effect.candidate.equation];
-          disturbance[next] = own / effect.shapes[0];
+        double& own = start.noise.disturbance[effect.candidate.equation];
+        double& moving = start.noise.disturbance[next];
+        if (memory.driven && is_driven_by(from.model, effect.candidate.equation, next, memory)) {
+          moving = from.noise.disturbance[next];
+          for (std::size_t r = 0; r < start.records.size(); ++r)
+            start.records[r].path.col(next) = from.records[r].path.col(next);
+        } else if (memory.driven) {
+          moving = own / effect.shapes[0];
           own *= kFractionOfDisturbance;
         }
         ++next;

@@ -26,6 +26,7 @@ Matrix ColumnMemory::columns(const std::vector<Expression>& forms, Index rows,
   for (const std::size_t i : missing) others.push_back(forms[i]);
   const Matrix made = make(others);
   const std::lock_guard lock(guard_);
+  made_ += made.cols();
   for (std::size_t j = 0; j < missing.size(); ++j) {
     const auto column = made.col(static_cast<Index>(j));
     result.col(static_cast<Index>(missing[j])) = column;
@@ -33,6 +34,11 @@ Matrix ColumnMemory::columns(const std::vector<Expression>& forms, Index rows,
     if (kept_.emplace(std::move(names[missing[j]]), column).second) numbers_ += rows;
   }
   return result;
+}
+
+Index ColumnMemory::made() const {
+  const std::lock_guard lock(guard_);
+  return made_;
 }
 
 }  // namespace lacuna

@@ -236,12 +236,17 @@ Trial FormProblem::thinned(EquationForms equation, const MissingForm& form,
   Trial now{equation, fit(equation)};
   now.equation = equation;
   if (now.left > limit(now.equation)) now.left = std::numeric_limits<double>::infinity();
-  while (now.left <= limit(now.equation) &&
-         now.equation.terms.size() + now.equation.forms.size() > 1) {
-    Trial next = without_least(now.equation);
-    if (next.left > limit(next.equation) && !next.equation.forms.empty())
+  if (now.left > limit(now.equation)) return now;
+  // Columns of members are made once, but for that of the form whose shapes move.
+  Matrix members = columns(now.equation);
+  while (now.left <= limit(now.equation) && members.cols() > 1) {
+    Trial next = without_least(now.equation, members);
+    if (next.left > limit(next.equation)) {
       next.left = fit(next.equation);
-    if (!(next.left <= limit(next.equation))) break;
+      if (!(next.left <= limit(next.equation))) break;
+      members.col(members.cols() - 1) =
+          rows_.columns({next.equation.forms.back().expression()}).col(0);
+    }
     now = std::move(next);
   }
   return now;
@@ -388,13 +393,13 @@ Matrix FormProblem::rated(const std::vector<Beside>& equations,
   return left;
 }
 
-Trial FormProblem::without_least(const EquationForms& equation) const {
+Trial FormProblem::without_least(const EquationForms& equation, Matrix& members) const {
   // Facts of rounding: sums of squares that differ by less are one.
   constexpr double kSame = 1e-6, kRounding = 1e-20;
   Trial best{equation, std::numeric_limits<double>::infinity()};
-  const auto members = static_cast<Index>(equation.terms.size() + equation.forms.size());
+  const Index count = members.cols();
   const Vector target = rows_.target(equation.equation);
-  const auto losses = column_losses(columns(equation), target);
+  const auto losses = column_losses(members, target);
   // Of members that can stand for one another (x for max(x, 0) and min(x, 0)) the one with most
   // parameters goes.
   const auto is_better = [&](const Trial& trial) {
@@ -403,18 +408,24 @@ Trial FormProblem::without_least(const EquationForms& equation) const {
       return trial.equation.parameters() < best.equation.parameters();
     return trial.left < best.left;
   };
-  for (Index i = 0; i + 1 < members; ++i) {
+  Matrix least;
+  for (Index i = 0; i + 1 < count; ++i) {
     // Where columns depend on one another each is tried.
-    if (losses && (*losses)[i] > losses->head(members - 1).minCoeff()) continue;
+    if (losses && (*losses)[i] > losses->head(count - 1).minCoeff()) continue;
     Trial fewer{equation, 0.0};
     const auto place = static_cast<std::size_t>(i);
     if (place < equation.terms.size())
       fewer.equation.terms = without(equation.terms, place);
     else
       fewer.equation.forms = without(equation.forms, place - equation.terms.size());
-    fewer.left = left(fewer.equation);
-    if (is_better(fewer)) best = std::move(fewer);
+    Matrix others(members.rows(), count - 1);
+    others << members.leftCols(i), members.rightCols(count - 1 - i);
+    fewer.left = residual_squares(others, target);
+    if (!is_better(fewer)) continue;
+    best = std::move(fewer);
+    least = std::move(others);
   }
+  if (std::isfinite(best.left)) members = std::move(least);
   return best;
 }
 

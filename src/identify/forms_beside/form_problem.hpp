@@ -92,6 +92,9 @@ class FormProblem {
   /// @param noise the sum of squares that noise leaves.
   double same_as(double left, double noise) const;
 
+  /// Columns of starting points that were made so far.
+  Index columns_made() const { return columns_.made(); }
+
   /// What may take the place of an equation. Where its trajectories leave nothing but noise,
   /// what it leaves here is noise too, however much of it: noise in terms is not in the
   /// whitening.
@@ -101,6 +104,9 @@ class FormProblem {
   Matrix columns(const EquationForms& equation) const;
 
   double left(const EquationForms& equation) const;
+
+  /// As of FormSearch.
+  bool would_fit_noise(const EquationForms& equation, double fraction) const;
 
   /// The constant and the variables.
   std::vector<Term> linear_terms() const;
@@ -141,7 +147,8 @@ class FormProblem {
 
  private:
   /// The equation without that member, the last form apart, that is missed least.
-  Trial without_least(const EquationForms& equation) const;
+  /// @param members its columns; the same of what is returned.
+  Trial without_least(const EquationForms& equation, Matrix& members) const;
 
   /// Fits the shapes of a form beside columns that stay. @return the residual.
   double fit_shapes(const BaseColumns& base, MissingForm& form, const ShapeFit& fit) const;

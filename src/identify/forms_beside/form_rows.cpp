@@ -25,8 +25,7 @@ double total_duration(const Dataset& data) {
 
 /// L of the covariance of the rows, which is banded; in blocks, so that it is made in no time.
 SparseRows whitening(const Projection& projection) {
-  // A fact of caches.
-  constexpr Index kBlock = 128;
+  constexpr Index kBlock = FormRows::kBlock;
   std::vector<Eigen::Triplet<double, Index>> entries;
   for (Index first = 0; first < projection.rows(); first += kBlock) {
     const Matrix factor =
@@ -40,13 +39,14 @@ SparseRows whitening(const Projection& projection) {
   return whole;
 }
 
-/// A matrix with its columns at other places.
+/// A matrix with its columns at other places; those that have none go.
 SparseRows with_columns_at(const SparseRows& matrix, const std::vector<Index>& places,
                            Index columns) {
   std::vector<Eigen::Triplet<double, Index>> entries;
   for (Index row = 0; row < matrix.outerSize(); ++row)
     for (SparseRows::InnerIterator entry(matrix, row); entry; ++entry)
-      entries.emplace_back(row, places[static_cast<std::size_t>(entry.col())], entry.value());
+      if (const Index place = places[static_cast<std::size_t>(entry.col())]; place >= 0)
+        entries.emplace_back(row, place, entry.value());
   SparseRows result(matrix.rows(), columns);
   result.setFromTriplets(entries.begin(), entries.end());
   return result;
@@ -104,6 +104,7 @@ void FormRows::take_in(const Dataset& data, const Vector& noise, int threads,
     const Projection projection = weak_projection(record, function, spacing);
     if (projection.rows() == 0) return;
     parts[i].values = projection.values;
+    if (!data.has_derivatives()) parts[i].rates = projection.rates;
     parts[i].factor = whitening(projection);
     targets[i] = data.has_derivatives()
                      ? parts[i].whitened(projection.values, record.derivatives)
@@ -143,7 +144,9 @@ void FormRows::keep_samples_of_rows() {
         kept.push_back(part.first + static_cast<Index>(i));
       }
     part.first = first;
-    part.values = with_columns_at(part.values, places, static_cast<Index>(kept.size()) - first);
+    const Index count = static_cast<Index>(kept.size()) - first;
+    part.values = with_columns_at(part.values, places, count);
+    if (part.rates.rows() > 0) part.rates = with_columns_at(part.rates, places, count);
   }
   slots_ = slots_(kept, Eigen::all).eval();
   rates_ = rates_(kept, Eigen::all).eval();

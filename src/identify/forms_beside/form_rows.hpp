@@ -14,6 +14,11 @@
 
 namespace lacuna {
 
+/// A sum of squares of noise.
+struct NoiseSquares {
+  double mean = 0.0, deviation = 0.0;
+};
+
 /// The weak form of a dataset with its rows at hand, K x columns, so that one form more costs
 /// one column. Rows are whitened: white noise sigma of a state is white noise sigma of its
 /// target (see WeakForm). Where rates are measured, the target is their mean with the weights of
@@ -21,6 +26,9 @@ namespace lacuna {
 /// and not so wide that few rows are left.
 class FormRows {
  public:
+  /// Rows that are whitened together: a fact of caches.
+  static constexpr Index kBlock = 128;
+
   /// @param noise of each state: forms are evaluated at smoothed samples, because noise in an
   ///   argument makes bends out of jumps.
   /// @param library terms whose columns are made once.
@@ -48,6 +56,14 @@ class FormRows {
   /// K x columns: the rows of what is given at the samples.
   Matrix projected(const Matrix& samples) const;
 
+  /// What white noise of the samples leaves of an equation's target, to first order: its
+  /// residual is L^-1 sum_j A_j e_j, A_j = [j = state] rates - values diag(g_j), so that its
+  /// squares have the mean tr S and the variance 2 tr S^2, S = L^-1 sum_j sigma_j^2 A_j A_j' L^-T.
+  /// Of S the blocks are counted in which rows were whitened. 0 where rates are measured.
+  /// @param sensitivity samples x m: g_j = df/dx_j. @param noise sigma of each state.
+  NoiseSquares noise_squares(const Matrix& sensitivity, const Vector& noise,
+                             Index state) const;
+
   /// The smoothed rate of a state at the samples.
   Vector rate(Index state) const { return rates_.col(state); }
 
@@ -56,6 +72,7 @@ class FormRows {
   struct Part {
     Index first = 0;    ///< of its samples
     SparseRows values;  ///< K x samples, of forms
+    SparseRows rates;   ///< K x samples, of states; without rows where rates are measured
     SparseRows factor;  ///< L of the whitening, banded
 
     /// L^-1 times the rows of what is given at the samples.
@@ -101,11 +118,14 @@ class ColumnMemory {
   /// K x forms: what is kept, the rest from `make`.
   Matrix columns(const std::vector<Expression>& forms, Index rows, Maker make) const;
 
+  /// Columns that were made so far.
+  Index made() const;
+
  private:
   const Index most_;
   mutable std::mutex guard_;
   mutable std::map<std::string, Vector> kept_;  ///< by the text of a form
-  mutable Index numbers_ = 0;
+  mutable Index numbers_ = 0, made_ = 0;
 };
 
 /// |y - A h|^2 of the least squares solution; infinite where a column is not finite.

@@ -62,6 +62,10 @@ double FormSearch::left(const EquationForms& equation) const {
   return problem_->left(equation);
 }
 
+bool FormSearch::would_fit_noise(const EquationForms& equation, double fraction) const {
+  return problem_->would_fit_noise(equation, fraction);
+}
+
 std::vector<Candidate> FormSearch::fractions(const Scope& scope, Index equation,
                                              const std::vector<Term>& library) const {
   return rational_forms(scope, problem_->all_rows(), {equation, library, {}},

@@ -67,6 +67,12 @@ class FormSearch {
   /// |y - A h|^2 of an equation in these rows.
   double left(const EquationForms& equation) const;
 
+  /// Whether a form that leaves no more than this fraction of what an equation leaves (sums of
+  /// squares) would fit noise: white noise of the samples in the target and, by its derivatives,
+  /// in the terms leaves more, with its mean less two standard deviations. Never where rates
+  /// are measured.
+  bool would_fit_noise(const EquationForms& equation, double fraction) const;
+
   /// Fractions with denominators in several variables, found in the implicit form of an
   /// equation, as further candidates.
   std::vector<Candidate> fractions(const Scope& scope, Index equation,

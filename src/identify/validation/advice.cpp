@@ -48,6 +48,8 @@ std::optional<Asked> asked_by(const FormTask& task, Index k) {
   const double before = search.left(equation);
   if (!(std::sqrt(before / search.left({k, {}, {}})) > task.options.worth_asking))
     return std::nullopt;
+  const double fraction = task.options.most_residual * task.options.most_residual;
+  if (search.would_fit_noise(equation, fraction)) return std::nullopt;
   const std::vector<Candidate> candidates = function_forms(task.scope, task.effects, k);
   double left = before;
   for (std::size_t forms = 1; forms <= most_forms; ++forms) {

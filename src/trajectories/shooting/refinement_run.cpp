@@ -290,6 +290,7 @@ RefinementStart refinement_start(ShootingProblem& problem, const Dataset& data,
 
 RefinementRun run_refinement(ShootingProblem& problem, const RefinementStart& start,
                              const RefineOptions& options, const RunContext& context) {
+  context.report("refining", 0.0);
   const Task task{problem, start, options, context};
   WindowLimits limits = first_limits(task);
   RefinementRun run = first_fit(task, limits);

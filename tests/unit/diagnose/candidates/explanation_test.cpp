@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "support/assimilated_oscillator.hpp"
 
 namespace lacuna {
@@ -37,6 +39,25 @@ TEST(Explanation, ShapesOfWhatHasLostItsPathAreNotMoved) {
   EXPECT_NE(explain(task, base, stop).effects[0].shapes[0], -0.1) << "not as good yet";
   task.bare_deviance = -1e9;
   EXPECT_EQ(explain(task, base, stop).effects[0].shapes[0], -0.1);
+}
+
+TEST(Explanation, AFitOfAFreeInputIsWhereTheSameFitEnds) {
+  const Dataset data = support::hidden_record(
+      [](double t, double, double) {
+        return 2.0 * std::sin(3.1 * t) * std::cos(0.31 * t) + std::sin(7.3 * t);
+      },
+      0.0005);
+  const Assimilation base = support::assimilated(data);
+  Candidate input = support::plain_candidate("drive");
+  input.memory = {{"drive", parse_expression("-drive/memory"), Expression::number(0.0), true}};
+  input.shapes = {{"memory", "s", 0.1, 20.0, true}};
+  const AssimilationOptions options = support::oscillator_fit_options();
+  const RunContext context;
+  const JointFitTask task{data, base.model, options, context};
+  const Explanation found = explain(task, base, {{input, Vector::Constant(1, 1.0), 1.0}});
+  ASSERT_LT(found.fit.deviance, base.deviance - 100.0);
+  const Explanation again = explain_roughly(task, found.fit, found.effects);
+  EXPECT_NEAR(again.fit.deviance, found.fit.deviance, 1.0);
 }
 
 TEST(Explanation, MemoryBecomesAStateOfTheModel) {

@@ -49,6 +49,21 @@ TEST(FormProblem, WhatIsTheSameIsATenthWhereItIsNoNoise) {
   EXPECT_NEAR(noisy.same_as(noise, noise), noise * (1.0 + 2.0 * std::log(rows) / rows), 1e-9);
 }
 
+TEST(FormProblem, ColumnsOfStartingPointsAreMadeOnce) {
+  const FormProblem problem(decay(), Vector::Zero(1), {});
+  const EquationForms constant{0, {problem.linear_terms()[0]}, {}};
+  const EquationForms linear{0, problem.linear_terms(), {}};
+  const std::vector<Start> starts =
+      all_starts({form_of_x("x^2"), form_of_x("exp(x)"), form_of_x("sin(x)")});
+  ASSERT_EQ(starts.size(), 3U);
+  const Matrix first = problem.rated({{constant}, {linear}}, starts);
+  EXPECT_EQ(problem.columns_made(), 3) << "once for all equations";
+  EXPECT_EQ(problem.rated({{constant}, {linear}}, starts), first);
+  EXPECT_EQ(problem.columns_made(), 3) << "and for all rounds of a search";
+  problem.rated({{linear}}, all_starts({form_of_x("sin(x)"), form_of_x("cos(x)")}));
+  EXPECT_EQ(problem.columns_made(), 4);
+}
+
 TEST(FormProblem, WhatTrajectoriesCallNoiseIsNoise) {
   const FormProblem problem(decay(), Vector::Zero(1), {});
   const EquationForms constant{0, {problem.linear_terms()[0]}, {}};
