@@ -7,9 +7,6 @@
 #include "form_rows.hpp"
 
 namespace lacuna {
-namespace {
-
-}  // namespace
 
 NoiseSquares FormRows::noise_squares(const Matrix& sensitivity, const Vector& noise,
                                      Index state) const {
