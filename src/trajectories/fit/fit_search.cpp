@@ -134,13 +134,14 @@ bool changed_a_sign(const FitPoint& a, const FitPoint& b) {
   return (a.parameters.array() * b.parameters.array() < 0.0).any();
 }
 
-/// Whether records are so few that all starts are tried.
-bool is_cheap(const FitEngine& engine) {
-  constexpr double kCheap = 2e4;  // entries of the rows
+/// Entries of the rows of a fit: what a step costs.
+double entries_of(const FitEngine& engine) {
   return static_cast<double>(engine.states() + engine.parameters()) *
-             static_cast<double>(engine.records.samples()) <
-         kCheap;
+         static_cast<double>(engine.records.samples());
 }
+
+/// Whether records are so few that all starts are tried.
+bool is_cheap(const FitEngine& engine) { return entries_of(engine) < 2e4; }
 
 }  // namespace
 
@@ -353,9 +354,14 @@ void try_other_starts(FitEngine& engine, const FitUnknowns& unknowns, const FitP
           minimise(engine, only_starts, *other, {}, options.most_iterations, context);
       take(minimise(engine, unknowns, begun.point, {}, options.most_iterations, context));
     }
-  const bool wanted =
-      options.always_ranges || (has_wide_range(unknowns, options.spread) && !good());
-  const bool ranged = wanted && options.range_starts > 0;
+  // With many samples only where searches about the given numbers differ: a decision.
+  constexpr double kAlwaysRanged = 4e3;
+  const auto has_ranges = [&] {
+    return options.range_starts > 0 &&
+           (options.always_ranges || (has_wide_range(unknowns, options.spread) && !good()));
+  };
+  const bool ranged =
+      has_ranges() && (options.always_ranges || entries_of(engine) < kAlwaysRanged);
   const bool settled = ranged && try_ranges(engine, unknowns, start, options, context, search);
   Random random(context.seed);
   // Some are kept for paths that starts over ranges lose, oscillations above all: a decision.
@@ -372,6 +378,8 @@ void try_other_starts(FitEngine& engine, const FitUnknowns& unknowns, const FitP
     take(continued(engine, unknowns, other_start(engine, unknowns, start, spread, random),
                    other, context));
   }
+  if (!ranged && search.agreeing < kEnough && has_ranges())
+    try_ranges(engine, unknowns, start, options, context, search);
   if (changed_a_sign(search.best.point, start))
     take(minimise(engine, unknowns, mirrored(search.best.point, start), {},
                   options.most_iterations, context));
