@@ -123,7 +123,7 @@ def summary(rows):
         "| median s | longest s |"
     ]
     lines.append("| --- " * 8 + "|")
-    for group in ("earlier", "new", "untouched"):
+    for group in ("earlier", "new", "untouched", "later"):
         chosen = [row for row in rows if row["group"] == group]
         if not chosen:
             continue
