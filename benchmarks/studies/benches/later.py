@@ -162,6 +162,9 @@ def exchanger_fouling(rng):
     return Bench(time, {"T [degC]": noisy(rng, x, 0.3)}, {"Tin [degC]": inlet}, model)
 
 
+CAPACITOR = "time ms\ninput u [V] hold zero\nparam tau = 2.4\ndV/dt = (u - V)/tau\n"
+
+
 @bench("later", lacks=("V:extra-state",))
 def capacitor_absorption(rng):
     """A dielectric that takes up charge slowly stands beside the capacitor."""
@@ -173,8 +176,7 @@ def capacitor_absorption(rng):
         return np.array([(u - x[0]) / 2 - 0.5 * taken, taken])
 
     x = simulate(rates, [0, 0], time, source)[:, 0]
-    model = "time ms\ninput u [V] hold zero\nparam tau = 2.4\ndV/dt = (u - V)/tau\n"
-    return Bench(time, {"V [V]": noisy(rng, x, 0.2)}, {"u [V]": source}, model)
+    return Bench(time, {"V [V]": noisy(rng, x, 0.2)}, {"u [V]": source}, CAPACITOR)
 
 
 @bench("later")
@@ -187,8 +189,7 @@ def capacitor_jitter(rng):
     )[:, 0]
     places = np.clip(np.arange(3000) * 20 + rng.normal(0, 1, 3000), 0, 59999)
     x = np.interp(places, np.arange(60000), fine)
-    model = "time ms\ninput u [V] hold zero\nparam tau = 2.4\ndV/dt = (u - V)/tau\n"
-    return Bench(time, {"V [V]": noisy(rng, x, 0.1)}, {"u [V]": source}, model)
+    return Bench(time, {"V [V]": noisy(rng, x, 0.1)}, {"u [V]": source}, CAPACITOR)
 
 
 @bench("later")
@@ -197,9 +198,8 @@ def capacitor_gain(rng):
     time = np.arange(3000) * 0.1
     source = steps(rng, 3000, 0, 5, 20, 120)
     x = simulate(lambda t, x, u: (u - x) / 2, [0], time, source)[:, 0]
-    model = "time ms\ninput u [V] hold zero\nparam tau = 2.4\ndV/dt = (u - V)/tau\n"
     drifting = x * (1 + 0.01 * time / time[-1])
-    return Bench(time, {"V [V]": noisy(rng, drifting, 0.2)}, {"u [V]": source}, model)
+    return Bench(time, {"V [V]": noisy(rng, drifting, 0.2)}, {"u [V]": source}, CAPACITOR)
 
 
 @bench("later", lacks=BEYOND, also=("h:quadratic-term",))

@@ -141,7 +141,10 @@ double entries_of(const FitEngine& engine) {
 }
 
 /// Whether records are so few that all starts are tried.
-bool is_cheap(const FitEngine& engine) { return entries_of(engine) < 2e4; }
+bool is_cheap(const FitEngine& engine) {
+  constexpr double kCheap = 2e4;  // entries: a decision, of time alone
+  return entries_of(engine) < kCheap;
+}
 
 }  // namespace
 

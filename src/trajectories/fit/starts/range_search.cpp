@@ -53,6 +53,7 @@ std::optional<Begun> first_steps(FitEngine& engine, const FitUnknowns& unknowns,
 }  // namespace
 
 bool is_settled(std::vector<double> deviances, double alike) {
+  // A decision: two that agree may both be in a minimum that is wide and wrong.
   constexpr int kReached = 3;
   std::sort(deviances.begin(), deviances.end());
   if (deviances.empty()) return false;
