@@ -172,6 +172,41 @@ ResultTable summary_table(const Summary& summary) {
   return table;
 }
 
+/// Exact runs (%) of all compositions that share a part: one row for each, one column for each
+/// noise; the best composition of the part in brackets.
+ResultTable part_table(const std::vector<Cell>& cells, const std::string& part,
+                       std::string Composition::* name) {
+  std::vector<std::string> rows, columns;
+  std::map<std::pair<std::string, std::string>,
+           std::map<const Composition*, std::vector<double>>>
+      rates;
+  for (const Cell& cell : cells) {
+    const std::string row = cell.composition->*name;
+    const std::string column = format_number(100.0 * cell.condition.noise) + " %";
+    add_once(rows, row);
+    add_once(columns, column);
+    rates[{row, column}][cell.composition].push_back(exact_rate(cell));
+  }
+  ResultTable table{{part}, {}};
+  table.header.insert(table.header.end(), columns.begin(), columns.end());
+  for (const std::string& row : rows) {
+    std::vector<std::string> texts{row};
+    for (const std::string& column : columns) {
+      double sum = 0.0, best = 0.0;
+      const auto& compositions = rates.at({row, column});
+      for (const auto& [composition, own] : compositions) {
+        sum += mean(own);
+        best = std::max(best, mean(own));
+      }
+      texts.push_back(
+          format_number(100.0 * sum / static_cast<double>(compositions.size()), 3) + " (" +
+          format_number(100.0 * best, 3) + ")");
+    }
+    table.rows.push_back(std::move(texts));
+  }
+  return table;
+}
+
 std::string heat_map_data(const Summary& summary) {
   std::string text;
   for (const std::string& row : summary.rows) {
@@ -227,12 +262,19 @@ void write_report(const std::filesystem::path& folder, const std::vector<Cell>& 
       folder / "rossler.md",
       "Share of runs (%) with exactly the true terms; Rossler (a = b = 0.2, c = 5.7), h = "
       "0.05, 20 "
-      "candidate terms.\nColumns: derivative and noise; filters and numbers of samples (1000, "
-      "4000) are pooled. Errors and time: medians over all runs of a row. "
-      "The best of a column is bold; [any]: inner solvers that find the same.\n\nMade by "
+      "candidate terms, every filter x\nregressor x pruner x derivative; 1000 and 4000 "
+      "samples are pooled.\n\nMade by "
       "`study_rossler` on " +
           origin.day + ", " + origin.machine + ", in " + format_number(origin.seconds, 3) +
-          " s.\n\n" + summary_table(summary).markdown());
+          " s.\n\n## Parts\n\nMean over all compositions with a part, in brackets the best of "
+          "them.\n\n" +
+          part_table(cells, "derivative", &Composition::derivative).markdown() + "\n" +
+          part_table(cells, "filter", &Composition::filter).markdown() +
+          "\n## Regressors and pruners\n\nColumns: derivative and noise; filters are pooled. "
+          "Errors and time: medians over all runs of a row; what a\nformulation chooses for a "
+          "record is chosen once and not in the time. The best of a column is bold; [any]: "
+          "inner\nsolvers that find the same.\n\n" +
+          summary_table(summary).markdown());
   if (!render_with_gnuplot(folder / "rossler.gp"))
     std::cerr << "no picture: gnuplot is not installed (package gnuplot-nox)\n";
 }
