@@ -19,6 +19,7 @@ namespace lacuna {
 struct ImplicitSteps {
   std::vector<DrivingSignals> signals;  ///< of each record
   RadauFlow flow{};
+  double relaxed = 1.0;  ///< times the error that is let pass where fits end
 };
 
 /// Model and records with what is computed once from them. One object per thread.
@@ -96,6 +97,25 @@ void choose_method(FitEngine& engine, const FitPoint& point);
 /// that were tried on the way to a point may make it stiff): one in a sampling interval, which may
 /// be too few. @return whether it does.
 bool leave_implicit_steps(FitEngine& engine, const FitPoint& point);
+
+/// Implicit steps with larger errors, as long as it lives: far from a minimum residuals are many
+/// times the noise, and the minimum that is kept is found again by exact steps.
+class RoughSteps {
+ public:
+  explicit RoughSteps(FitEngine& engine) : engine_(engine) {
+    if (!engine.implicit) take_implicit_steps(engine);
+    engine.implicit->relaxed = kRelaxed;
+  }
+  ~RoughSteps() {
+    if (engine_.implicit) engine_.implicit->relaxed = 1.0;
+  }
+  RoughSteps(const RoughSteps&) = delete;
+  RoughSteps& operator=(const RoughSteps&) = delete;
+
+ private:
+  static constexpr double kRelaxed = 100.0;  // a decision: 0.1 % of the noise, 1e-5 of a state
+  FitEngine& engine_;
+};
 
 /// What rows and residuals are in deviations of.
 enum class Whitening {

@@ -306,12 +306,13 @@ void keep_better(FitEngine& engine, const FitUnknowns& unknowns, const FitPoint&
 
 constexpr int kEnough = 4;  // searches that come to the best minimum: others are not needed
 
-/// Fits from starts over the ranges, then about the best of them, by implicit steps, which are
-/// exact wherever a start is. @return whether more starts are not likely to find more.
-bool try_ranges(FitEngine& engine, const FitUnknowns& unknowns, const FitPoint& start,
-                const FitSearchOptions& options, const RunContext& context, FitSearch& search) {
-  const bool were_explicit = !engine.implicit;
-  if (were_explicit) take_implicit_steps(engine);
+/// Fits from starts over the ranges, then about the best of them, by rough implicit steps, whose
+/// error is controlled wherever a start is. @return whether more starts are not likely to find
+/// more.
+bool search_roughly(FitEngine& engine, const FitUnknowns& unknowns, const FitPoint& start,
+                    const FitSearchOptions& options, const RunContext& context,
+                    FitSearch& search) {
+  const RoughSteps rough(engine);
   const auto take = [&](FitMinimum found) {
     keep_better(engine, unknowns, start, std::move(found), options, context, search);
   };
@@ -327,6 +328,14 @@ bool try_ranges(FitEngine& engine, const FitUnknowns& unknowns, const FitPoint& 
         other_start(engine, unknowns, search.best.point, spread, random);
     take(minimise(engine, unknowns, beside, {}, options.most_iterations, context));
   }
+  return settled;
+}
+
+/// search_roughly(), then the steps that were.
+bool try_ranges(FitEngine& engine, const FitUnknowns& unknowns, const FitPoint& start,
+                const FitSearchOptions& options, const RunContext& context, FitSearch& search) {
+  const bool were_explicit = !engine.implicit;
+  const bool settled = search_roughly(engine, unknowns, start, options, context, search);
   if (were_explicit && leave_implicit_steps(engine, search.best.point))
     choose_substeps(engine, search.best.point, {}, kFine);
   return settled;

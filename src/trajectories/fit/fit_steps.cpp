@@ -22,7 +22,7 @@ double tolerance_of(const FitEngine& engine) {
     if (const auto& law = engine.laws[place]; law && has_fraction(law->law().form))
       least = std::min(least, *law->sized().fraction);
   }
-  return std::clamp(kOfNoise * least, RadauFlow::kTolerance, kCoarsest);
+  return engine.implicit->relaxed * std::clamp(kOfNoise * least, RadauFlow::kTolerance, kCoarsest);
 }
 
 }  // namespace

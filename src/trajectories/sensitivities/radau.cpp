@@ -2,7 +2,6 @@
 #include "trajectories/sensitivities/radau.hpp"
 
 #include <Eigen/Eigenvalues>
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <complex>
@@ -18,23 +17,21 @@ constexpr double kRoot = 2.4494897427831780982;  // of 6
 constexpr double kOfLargest = 1e-3, kNewton = 1e-3;
 constexpr int kMostIterations = 10, kMostSteps = 20000;
 
-Matrix square_of(const Matrix& entries, Index row, const std::vector<MatrixPlace>& places,
-                 Index rows, Index columns) {
-  Matrix square = Matrix::Zero(rows, columns);
+/// Adds the entries of a row to the places where they stand in a matrix.
+void scatter(const Matrix& entries, Index row, const std::vector<MatrixPlace>& places,
+             Eigen::Ref<Matrix> matrix) {
   for (std::size_t i = 0; i < places.size(); ++i)
-    square(places[i].row, places[i].column) += entries(row, static_cast<Index>(i));
-  return square;
+    matrix(places[i].row, places[i].column) += entries(row, static_cast<Index>(i));
 }
 
-/// 1 - h A x J, whose blocks are the stages.
+/// Writes 1 - h A x J, whose blocks are the stages.
 template <class Slopes>
-Matrix stage_system(double h, Index m, const Slopes& slope) {
-  Matrix system = Matrix::Identity(3 * m, 3 * m);
+void stage_system(double h, Index m, const Slopes& slope, Matrix& system) {
+  system.setIdentity(3 * m, 3 * m);
   for (std::size_t i = 0; i < 3; ++i)
     for (std::size_t j = 0; j < 3; ++j)
       system.block(static_cast<Index>(i) * m, static_cast<Index>(j) * m, m, m) -=
           h * Radau::a()[i][j] * slope(j);
-  return system;
 }
 
 }  // namespace
@@ -61,8 +58,9 @@ Matrix radau_variation(double h, const RadauSlopes& slopes, const Matrix& deviat
     for (std::size_t j = 0; j < 3; ++j)
       right.middleRows(static_cast<Index>(i) * m, m) +=
           h * Radau::a()[i][j] * slopes.forcing[j];
-  const Matrix system =
-      stage_system(h, m, [&](std::size_t j) -> const Matrix& { return slopes.jacobian[j]; });
+  Matrix system;
+  stage_system(h, m, [&](std::size_t j) -> const Matrix& { return slopes.jacobian[j]; },
+               system);
   return Matrix(system.partialPivLu().solve(right)).bottomRows(m);
 }
 
@@ -123,14 +121,15 @@ bool RadauFlow::solve_stages(Rates& rates, DriveSlots drive, double t, double h,
           slot_.data());
     slots_.row(row) = Eigen::Map<const Vector>(slot_.data(), rates.slots()).transpose();
   }
-  shift_ = Matrix::Zero(m, 3);
+  shift_.setZero(m, 3);
   double last = std::numeric_limits<double>::infinity();
   for (int i = 0; i < kMostIterations; ++i) {
     evaluate(rates, x);
-    const Matrix change = correction(h);
-    shift_ += change;
+    correct(h);
+    shift_.reshaped() += change_;
+    set_scale(h, x);
     double off = 0.0;
-    for (Index j = 0; j < 3; ++j) off = std::max(off, size(change.col(j), h, x));
+    for (Index j = 0; j < 3; ++j) off = std::max(off, size(change_.segment(j * m, m)));
     if (!std::isfinite(off) || off > 2.0 * last) return false;
     if (off < kNewton) return true;
     last = off;
@@ -147,22 +146,24 @@ void RadauFlow::evaluate(Rates& rates, const Vector& x) {
   columns_.resize(4, static_cast<Index>(rates.column_places().size()));
   rates.rate(slots_, rate_);
   rates.derivatives(slots_, jacobian_, columns_);
-  for (std::size_t j = 0; j < 4; ++j)
-    slope_[j] = square_of(jacobian_, static_cast<Index>(j), rates.jacobian_places(), m, m);
+  for (std::size_t j = 0; j < 4; ++j) {
+    slope_[j].setZero(m, m);
+    scatter(jacobian_, static_cast<Index>(j), rates.jacobian_places(), slope_[j]);
+  }
 }
 
-/// The step of Newton's method, m x 3.
-Matrix RadauFlow::correction(double h) const {
+/// Sets the step of Newton's method, its m x 3 values one after another.
+void RadauFlow::correct(double h) {
   const Index m = shift_.rows();
-  Matrix left = -shift_;
+  left_ = -shift_.reshaped();
   for (Index i = 0; i < 3; ++i)
     for (Index j = 0; j < 3; ++j)
-      left.col(i) += h * Radau::a()[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)] *
-                     rate_.row(j + 1).transpose();
-  const Matrix system =
-      stage_system(h, m, [&](std::size_t j) -> const Matrix& { return slope_[j + 1]; });
-  const Vector change = system.partialPivLu().solve(Vector(left.reshaped()));
-  return change.reshaped(m, 3);
+      left_.segment(i * m, m) +=
+          h * Radau::a()[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)] *
+          rate_.row(j + 1).transpose();
+  stage_system(h, m, [&](std::size_t j) -> const Matrix& { return slope_[j + 1]; }, system_);
+  factors_.compute(system_);
+  change_ = factors_.solve(left_);
 }
 
 /// The estimated error of the step, in units of what is let pass.
@@ -172,26 +173,35 @@ double RadauFlow::error(Rates& rates, double h, const Vector& x) {
   const Vector known = (shift_.col(0) * (-13.0 - 7.0 * kRoot) +
                         shift_.col(1) * (-13.0 + 7.0 * kRoot) - shift_.col(2)) /
                        (3.0 * h);
-  const auto filter = Matrix(kReal / h * Matrix::Identity(m, m) - slope_[0]).partialPivLu();
-  Vector off = filter.solve(rate_.row(0).transpose() + known);
-  if (size(off, h, x) <= 1.0) return size(off, h, x);
+  system_ = kReal / h * Matrix::Identity(m, m) - slope_[0];
+  factors_.compute(system_);
+  Vector off = factors_.solve(rate_.row(0).transpose() + known);
+  if (const double first = size(off); first <= 1.0) return first;
   slots_.row(0).head(m) = (x + off).transpose();
   rates.rate(slots_, rate_);
-  off = filter.solve(rate_.row(0).transpose() + known);
-  return size(off, h, x);
+  off = factors_.solve(rate_.row(0).transpose() + known);
+  return size(off);
 }
 
-/// Root mean square of a change, in units of what is let pass: a fraction of the state, and the
-/// rounding of its rate.
-double RadauFlow::size(const Vector& change, double h, const Vector& x) const {
-  constexpr double kRounding = 1e-15;
-  const Vector rounding = kRounding * h * (slope_[0].cwiseAbs() * x.cwiseAbs());
-  const Vector state =
-      x.cwiseAbs().cwiseMax((x + shift_.col(2)).cwiseAbs()).cwiseMax(kOfLargest * seen_);
-  Vector scale =
-      (tolerance_ * state).cwiseMax(rounding).cwiseMax(std::numeric_limits<double>::min());
-  if (accuracy_.size() > 0) scale = scale.cwiseMax(accuracy_);
-  return change.cwiseQuotient(scale).norm() / std::sqrt(static_cast<double>(x.size()));
+/// Sets what changes of the states are let pass: a fraction of the state, and the rounding of
+/// its rate.
+void RadauFlow::set_scale(double h, const Vector& x) {
+  constexpr double kRounding = 1e-15, kLeast = std::numeric_limits<double>::min();
+  const Index m = x.size();
+  scale_.resize(m);
+  for (Index i = 0; i < m; ++i) {
+    double rounding = 0.0;
+    for (Index j = 0; j < m; ++j) rounding += std::abs(slope_[0](i, j)) * std::abs(x[j]);
+    const double state = std::max({std::abs(x[i]), std::abs(x[i] + shift_(i, 2)),
+                                   kOfLargest * seen_[i]});
+    scale_[i] = std::max({tolerance_ * state, kRounding * h * rounding, kLeast,
+                          accuracy_.size() > 0 ? accuracy_[i] : 0.0});
+  }
+}
+
+/// Root mean square of a change, in units of what is let pass.
+double RadauFlow::size(const Eigen::Ref<const Vector>& change) const {
+  return std::sqrt((change.array() / scale_.array()).square().mean());
 }
 
 void RadauFlow::vary(Rates& rates, double h, Matrix& sensitivity) const {
@@ -201,8 +211,8 @@ void RadauFlow::vary(Rates& rates, double h, Matrix& sensitivity) const {
     slopes.jacobian[j] = slope_[j + 1];
     slopes.forcing[j] = Matrix::Zero(m, m + parameters);
     if (parameters > 0)
-      slopes.forcing[j].rightCols(parameters) =
-          square_of(columns_, static_cast<Index>(j) + 1, rates.column_places(), m, parameters);
+      scatter(columns_, static_cast<Index>(j) + 1, rates.column_places(),
+              slopes.forcing[j].rightCols(parameters));
   }
   sensitivity = radau_variation(h, slopes, sensitivity);
 }

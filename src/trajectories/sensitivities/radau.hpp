@@ -2,6 +2,7 @@
 // The flow of a stiff model with its exact derivatives, by implicit steps.
 #pragma once
 
+#include <Eigen/LU>
 #include <array>
 #include <limits>
 #include <utility>
@@ -71,9 +72,10 @@ class RadauFlow {
  private:
   bool solve_stages(Rates& rates, DriveSlots drive, double t, double h, const Vector& x);
   void evaluate(Rates& rates, const Vector& x);
-  Matrix correction(double h) const;
+  void correct(double h);
   double error(Rates& rates, double h, const Vector& x);
-  double size(const Vector& change, double h, const Vector& x) const;
+  void set_scale(double h, const Vector& x);
+  double size(const Eigen::Ref<const Vector>& change) const;
   void vary(Rates& rates, double h, Matrix& sensitivity) const;
 
   Vector accuracy_;
@@ -85,6 +87,10 @@ class RadauFlow {
   Matrix slots_, rate_, jacobian_, columns_;  // at the begin of the step, then at its stages
   std::array<Matrix, 4> slope_;               // df/dx there
   std::vector<double> slot_;
+  // Of the present step; members, as models are small and memory would take most of its time.
+  Vector left_, change_, scale_;
+  Matrix system_;
+  Eigen::PartialPivLU<Matrix> factors_;
 };
 
 /// Whether Runge and Kutta's method of order 4 with steps of this length does not damp what
