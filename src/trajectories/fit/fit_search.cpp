@@ -160,7 +160,7 @@ double deviance_of(const FitEngine& engine, const FitUnknowns& unknowns,
 
 int usual_range_starts(const FitEngine& engine) {
   // Decisions: one in seven of them comes to the best minimum of published problems.
-  constexpr int kUsual = 40, kWithMany = 10;
+  constexpr int kUsual = 60, kWithMany = 10;
   return is_cheap(engine) ? kUsual : kWithMany;
 }
 
@@ -304,6 +304,9 @@ void keep_better(FitEngine& engine, const FitUnknowns& unknowns, const FitPoint&
     search.best = std::move(found);
 }
 
+/// Times the iterations of others for the one minimum that is kept: a decision, of time alone.
+constexpr int kPatience = 20;
+
 constexpr int kEnough = 4;  // searches that come to the best minimum: others are not needed
 
 /// Fits from starts over the ranges, then about the best of them, by rough implicit steps, whose
@@ -429,6 +432,11 @@ FitSearch search_fit(FitEngine& engine, const FitUnknowns& unknowns, const FitPo
   search.best = reweighted(engine, unknowns, std::move(search.best), options, needed);
   if (check_by_implicit_steps(engine, search.best, kWrong))
     search.best = reweighted(engine, unknowns, std::move(search.best), options, needed);
+  if (!search.best.converged && std::isfinite(search.best.path.cost)) {
+    FitSearchOptions patient = options;  // along a valley that is narrow and curved
+    patient.most_iterations = kPatience * options.most_iterations;
+    search.best = reweighted(engine, unknowns, std::move(search.best), patient, needed);
+  }
   return search;
 }
 

@@ -25,7 +25,7 @@ struct KnownDeviation {
 struct FitOptions {
   int restarts = 8;       ///< at most so many other starts where residuals are above the noise
   /// At most so many starts anywhere in the ranges of parameters, wherever the first fit ends;
-  /// nothing: 40 (10 with many samples) where a range is wide and residuals are above the noise.
+  /// nothing: 60 (10 with many samples) where a range is wide and residuals are above the noise.
   std::optional<int> starts = {};
   /// Quick: from the given start alone, intervals by standard errors. Full: profiles of the
   /// likelihood of every parameter, whatever they cost.
