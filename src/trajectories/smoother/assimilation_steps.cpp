@@ -168,13 +168,14 @@ Assimilation with_noise_and_path(Assimilation state, VarianceFit& variances) {
   return state;
 }
 
-Assimilation with_fitted_coefficients(const AssimilationTask& task, Assimilation state) {
+CoefficientStep with_fitted_coefficients(const AssimilationTask& task, Assimilation state) {
   const AssimilationOptions& options = task.options;
   const InnovationSystem system(state);
-  state.deviance = system.deviance();
+  const double found = system.deviance();
+  state.deviance = found;
   state.used = system.used();
   const Matrix columns = system.fitted_columns();
-  if (columns.cols() == 0) return state;
+  if (columns.cols() == 0) return {std::move(state), found};
   Matrix normal = columns.transpose() * columns;
   Vector right = columns.transpose() * system.innovations();
   add_priors(state, options.priors, normal, right);
@@ -188,7 +189,7 @@ Assimilation with_fitted_coefficients(const AssimilationTask& task, Assimilation
     state.units = options.units;
   }
   const Vector& change = step.change;
-  if (!change.allFinite()) return state;
+  if (!change.allFinite()) return {std::move(state), found};
   state.deviance -= change.dot(right);
   const auto free = static_cast<Index>(state.free.size());
   shift_defects(state, change.head(free));
@@ -196,7 +197,7 @@ Assimilation with_fitted_coefficients(const AssimilationTask& task, Assimilation
   for (std::size_t j = 0; j < state.channel_terms.size(); ++j)
     state.channel_terms[j].coefficient += change[free + static_cast<Index>(j)];
   state.measured = corrected_channels(state, task.data);
-  return state;
+  return {std::move(state), found};
 }
 
 }  // namespace lacuna
