@@ -57,14 +57,18 @@ Draw draw_of(const StructurePair& pair, std::uint64_t number) {
 
 /// Counts of draws of one or of all pairs.
 struct Counts {
-  double draws = 0, refused = 0, untold = 0, apart = 0, adequate = 0, unclear = 0, ratio = 0;
+  double draws = 0, refused = 0, untold = 0, apart = 0, adequate = 0, unclear = 0, ratio = 0,
+         finite = 0;  ///< draws in which the wrong structure had a finite run
 
   void add(const Draw& draw) {
     constexpr double kApart = 10.0;  // likelihood ratio from which structures count as apart
     ++draws;
     refused += draw.right == static_cast<int>(Adequate::No) ? 1 : 0;
     untold += draw.right == static_cast<int>(Adequate::Undetermined) ? 1 : 0;
-    ratio += draw.likelihood_ratio;
+    if (std::isfinite(draw.likelihood_ratio)) {
+      ratio += draw.likelihood_ratio;
+      ++finite;
+    }
     if (draw.likelihood_ratio <= std::log(kApart)) return;
     ++apart;
     adequate += draw.wrong == static_cast<int>(Adequate::Yes) ? 1 : 0;
@@ -79,7 +83,7 @@ struct Counts {
             format_number(draws),
             percent(refused, draws),
             percent(untold, draws),
-            format_number(ratio / draws, 3),
+            format_number(ratio / finite, 3),
             format_number(apart),
             percent(adequate, apart),
             percent(unclear, apart)};

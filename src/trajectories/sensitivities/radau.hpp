@@ -70,6 +70,7 @@ class RadauFlow {
   auto stage_shift(Index stage) const { return shift_.col(stage); }
 
  private:
+  void guess_sizes(Rates& rates, DriveSlots drive, double t, double h, const Vector& x);
   bool solve_stages(Rates& rates, DriveSlots drive, double t, double h, const Vector& x);
   void evaluate(Rates& rates, const Vector& x);
   void correct(double h);

@@ -96,6 +96,26 @@ TEST(Radau, MakesAsManyStepsAsItMay) {
   }
 }
 
+// A chain that starts with its first state alone: x_i = t^i exp(-t)/i!.
+TEST(Radau, StatesMayRiseFromZeroByAHighPowerOfTheTime) {
+  constexpr Index kLength = 12;
+  std::string text = "dx0/dt = -x0\n";
+  for (Index i = 1; i < kLength; ++i)
+    text += "dx" + std::to_string(i) + "/dt = x" + std::to_string(i - 1) + " - x" +
+            std::to_string(i) + "\n";
+  const OdeModel model = parse_ode(text, "chain");
+  Rates rates(model);
+  Vector x = Vector::Unit(kLength, 0);
+  RadauFlow flow;
+  ASSERT_TRUE(flow.advance(
+      rates, [](double t, double* slots) { slots[0] = t; }, 0.0, 2.0, x));
+  double exact = std::exp(-2.0);
+  for (Index i = 0; i < kLength; ++i) {
+    EXPECT_NEAR(x[i], exact, 1e-6 * exact) << i;
+    exact *= 2.0 / static_cast<double>(i + 1);
+  }
+}
+
 TEST(Radau, ARunawayIsNoPath) {
   const OdeModel model = parse_ode("dx/dt = x^2\n", "runaway");
   Rates rates(model);
