@@ -223,7 +223,7 @@ class JointFit {
       if (!(drop > 0.0)) break;
       best = std::move(next);
       part = std::min(1.0, kLonger * taken);
-      if (drop < kUnnoticedDeviance) break;
+      if (drop < kUnnoticedDeviance && taken == 1.0) break;
     }
     return best;
   }
@@ -331,7 +331,7 @@ class JointFit {
     read_deviations(task_, result);
   }
 
-  /// One Gauss-Newton step of all shapes; false when none moves or it promises nothing.
+  /// One Gauss-Newton step of all shapes; false when there are none or it promises nothing.
   /// `at` gets the standard errors of its shapes.
   bool move_shapes(Explanation& at, std::vector<FittedEffect>& effects) const;
 
@@ -344,7 +344,6 @@ bool JointFit::move_shapes(Explanation& at, std::vector<FittedEffect>& effects) 
   for (std::vector<FittedEffect>* all : {&at.effects, &effects})
     for (FittedEffect& effect : *all)
       effect.shape_deviations = Vector::Zero(effect.shapes.size());
-  bool moves = false;
   for (std::size_t j = 0; j < found.places.size(); ++j) {
     const auto [effect, shape] = found.places[j];
     const auto row = static_cast<Index>(j);
@@ -354,9 +353,8 @@ bool JointFit::move_shapes(Explanation& at, std::vector<FittedEffect>& effects) 
         effects[effect].candidate.shapes[static_cast<std::size_t>(shape)];
     const double moved = effects[effect].shapes[shape] + found.step[row];
     effects[effect].shapes[shape] = std::clamp(moved, range.low, range.high);
-    moves |= effects[effect].shapes[shape] != at.effects[effect].shapes[shape];
   }
-  return moves && found.promised >= kUnnoticedDeviance;
+  return found.promised >= kUnnoticedDeviance;
 }
 
 }  // namespace

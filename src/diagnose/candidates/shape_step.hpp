@@ -9,8 +9,7 @@
 
 namespace lacuna {
 
-/// A Gauss-Newton step of all shapes, with all that is fitted besides. A shape at an end of its
-/// range that would leave it stays there, and the step is that of the others.
+/// A Gauss-Newton step of all shapes, with all that is fitted besides.
 struct ShapeStep {
   std::vector<std::pair<std::size_t, Index>> places = {};  ///< effect and shape
   Vector step = {}, deviation = {};                        ///< one entry each

@@ -27,26 +27,6 @@ double coefficient_at(const OdeModel& model, const CoefficientPlace& place) {
       .coefficient;
 }
 
-/// What is minimised: the deviance and what tolerances of coefficients add to it.
-double objective(const Assimilation& state, const std::vector<CoefficientPrior>& priors) {
-  double sum = state.deviance;
-  for (const CoefficientPrior& prior : priors) {
-    if (std::find(state.free.begin(), state.free.end(), prior.place) == state.free.end())
-      continue;
-    const double off = (coefficient_at(state.model, prior.place) - prior.mean) / prior.deviation;
-    sum += off * off;
-  }
-  return sum;
-}
-
-/// With the deviance that is found on the linearisation as it is.
-Assimilation with_found_deviance(Assimilation state) {
-  const InnovationSystem system(state);
-  state.deviance = system.deviance();
-  state.used = system.used();
-  return state;
-}
-
 /// Where states are hidden a step may be far from what it promises: what counts is the deviance
 /// that is found where the steps have led.
 Assimilation verified(const AssimilationTask& task, Assimilation state,
@@ -56,7 +36,9 @@ Assimilation verified(const AssimilationTask& task, Assimilation state,
   state = relinearised(task, std::move(state));
   std::optional<Assimilation> best;
   for (int pass = 0; pass < kPasses; ++pass) {
-    state = with_found_deviance(std::move(state));
+    const InnovationSystem system(state);
+    state.deviance = system.deviance();
+    state.used = system.used();
     if (best && std::isfinite(best->deviance) && !(state.deviance < best->deviance)) break;
     best = state;
     if (pass + 1 == kPasses) break;
@@ -67,50 +49,20 @@ Assimilation verified(const AssimilationTask& task, Assimilation state,
   return std::move(*best);
 }
 
-/// Steps of the coefficients, and the best of the points where they began: there the deviance
-/// is found, behind a step it is only promised.
-class CoefficientSteps {
- public:
-  explicit CoefficientSteps(const AssimilationTask& task) : task_(task) {}
-
-  /// @param counts whether the point where it begins may be the answer.
-  Assimilation taken(Assimilation from, bool counts) {
-    CoefficientStep step = with_fitted_coefficients(task_, from);
-    from.deviance = step.found;
-    from.used = step.state.used;
-    from.covariance = step.state.covariance;
-    from.held = step.state.held;
-    from.units = step.state.units;
-    if (counts && std::isfinite(step.found) && (!best_ || is_better(from, *best_)))
-      best_ = std::move(from);
-    return std::move(step.state);
-  }
-
-  /// A point whose deviance was found, or the best where a step began.
-  Assimilation better(Assimilation found) {
-    return best_ && !is_better(found, *best_) ? std::move(*best_) : found;
-  }
-
- private:
-  bool is_better(const Assimilation& one, const Assimilation& other) const {
-    const std::vector<CoefficientPrior>& priors = task_.options.priors;
-    return objective(one, priors) < objective(other, priors);
-  }
-
-  const AssimilationTask& task_;
-  std::optional<Assimilation> best_;
-};
-
-/// On the path of the largest likelihood under variances of the largest likelihood.
-Assimilation with_moved_path(const AssimilationTask& task, Assimilation state,
-                             VarianceFit& variances) {
+/// One turn at noise, path and coefficients.
+Assimilation after_turn(const AssimilationTask& task, Assimilation state,
+                        VarianceFit& variances) {
   if (task.options.hidden.empty())
-    return relinearised(task, with_noise_and_path(std::move(state), variances));
-  const std::vector<Matrix> before = paths_of(state);
-  return relinearised_in_reach(task, with_noise_and_path(std::move(state), variances), before);
+    state = relinearised(task, with_noise_and_path(std::move(state), variances));
+  else {
+    const std::vector<Matrix> before = paths_of(state);
+    state =
+        relinearised_in_reach(task, with_noise_and_path(std::move(state), variances), before);
+  }
+  return with_fitted_coefficients(task, std::move(state));
 }
 
-/// Takes turns at noise, path and coefficients until the deviance falls no more.
+/// Takes turns until the deviance falls no more.
 /// @param fresh whether the variances are first guesses: the noise of the measurement is known
 /// roughly from the start, the disturbances are not, and the first turns settle these.
 Assimilation after_turns(const AssimilationTask& task, Assimilation state, bool fresh,
@@ -121,16 +73,15 @@ Assimilation after_turns(const AssimilationTask& task, Assimilation state, bool 
   // a long first step.
   constexpr int kRises = 2;
   VarianceFit variances(state.least_noise, state.curvature);
-  CoefficientSteps steps(task);
   double last = std::numeric_limits<double>::infinity();
   std::optional<Assimilation> best;
   int rises = 0;
-  if (!fresh) state = steps.taken(std::move(state), true);
+  if (!fresh) state = with_fitted_coefficients(task, std::move(state));
   for (int turn = 0; turn < task.options.passes; ++turn) {
     context.check_stop();
     const bool settling = fresh && turn < kSettlingTurns;
     variances.set_white_moves(!settling);
-    state = steps.taken(with_moved_path(task, std::move(state), variances), !settling);
+    state = after_turn(task, std::move(state), variances);
     if (std::isnan(state.deviance)) break;  // no turn comes back from a path that is lost
     if (settling) continue;
     if (state.deviance < last - kUnnoticedDeviance) {
@@ -141,10 +92,7 @@ Assimilation after_turns(const AssimilationTask& task, Assimilation state, bool 
     if (std::abs(state.deviance - last) <= kUnnoticedDeviance || ++rises > kRises) break;
   }
   if (best && !(state.deviance < best->deviance + kUnnoticedDeviance)) state = std::move(*best);
-  state = task.options.hidden.empty()
-              ? with_found_deviance(relinearised(task, std::move(state)))
-              : verified(task, std::move(state), variances);
-  return steps.better(std::move(state));
+  return task.options.hidden.empty() ? state : verified(task, std::move(state), variances);
 }
 
 /// The maximum of the likelihood that is found from a start.

@@ -168,14 +168,13 @@ Assimilation with_noise_and_path(Assimilation state, VarianceFit& variances) {
   return state;
 }
 
-CoefficientStep with_fitted_coefficients(const AssimilationTask& task, Assimilation state) {
+Assimilation with_fitted_coefficients(const AssimilationTask& task, Assimilation state) {
   const AssimilationOptions& options = task.options;
   const InnovationSystem system(state);
-  const double found = system.deviance();
-  state.deviance = found;
+  state.deviance = system.deviance();
   state.used = system.used();
   const Matrix columns = system.fitted_columns();
-  if (columns.cols() == 0) return {std::move(state), found};
+  if (columns.cols() == 0) return state;
   Matrix normal = columns.transpose() * columns;
   Vector right = columns.transpose() * system.innovations();
   add_priors(state, options.priors, normal, right);
@@ -189,7 +188,7 @@ CoefficientStep with_fitted_coefficients(const AssimilationTask& task, Assimilat
     state.units = options.units;
   }
   const Vector& change = step.change;
-  if (!change.allFinite()) return {std::move(state), found};
+  if (!change.allFinite()) return state;
   state.deviance -= change.dot(right);
   const auto free = static_cast<Index>(state.free.size());
   shift_defects(state, change.head(free));
@@ -197,7 +196,7 @@ CoefficientStep with_fitted_coefficients(const AssimilationTask& task, Assimilat
   for (std::size_t j = 0; j < state.channel_terms.size(); ++j)
     state.channel_terms[j].coefficient += change[free + static_cast<Index>(j)];
   state.measured = corrected_channels(state, task.data);
-  return {std::move(state), found};
+  return state;
 }
 
 }  // namespace lacuna

@@ -33,14 +33,8 @@ Assimilation relinearised_in_reach(const AssimilationTask& task, Assimilation st
 /// learnt of the likelihood's curvature is kept in `variances` for the next turn.
 Assimilation with_noise_and_path(Assimilation state, VarianceFit& variances);
 
-/// A step of the coefficients.
-struct CoefficientStep {
-  Assimilation state;  ///< where it leads, with the deviance that the linearisation promises
-  double found = 0.0;  ///< the deviance where it began
-};
-
 /// With the coefficients of the least squares of whitened innovations, and what these predict
-/// beyond the path.
-CoefficientStep with_fitted_coefficients(const AssimilationTask& task, Assimilation state);
+/// beyond the path; the deviance is the one that the linearisation promises.
+Assimilation with_fitted_coefficients(const AssimilationTask& task, Assimilation state);
 
 }  // namespace lacuna

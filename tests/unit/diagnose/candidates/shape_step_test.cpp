@@ -69,23 +69,6 @@ TEST(ShapeStep, PromisesNothingAtTheMaximum) {
   EXPECT_LT(std::abs(step.step[0]), step.deviation[0]);
 }
 
-TEST(ShapeStep, AShapeStaysAtAnEndOfItsRange) {
-  const FittedStop stop;
-  Candidate candidate = support::stop_candidate(0.0);
-  candidate.shapes[0].low = -0.1;  // the edge is at -0.2
-  Explanation at = explain(stop.task, stop.base, {{candidate, Vector::Constant(1, 0.1), -2.0}});
-  ASSERT_EQ(at.effects[0].shapes[0], -0.1);
-  const ShapeStep held = shape_step(at, stop.options);
-  at.effects[0].candidate.shapes[0].low = -1.0;
-  const ShapeStep moved = shape_step(at, stop.options);
-  ASSERT_EQ(held.places.size(), 1u);
-  ASSERT_EQ(moved.places.size(), 1u);
-  EXPECT_EQ(held.step[0], 0.0);
-  EXPECT_LT(moved.step[0], 0.0);
-  EXPECT_GT(moved.promised, held.promised + 10.0);
-  EXPECT_NEAR(held.deviation[0] / moved.deviation[0], 1.0, 0.01) << "as uncertain as ever";
-}
-
 TEST(ShapeStep, ThereIsNoneWithoutShapes) {
   const Dataset data = support::hidden_record(support::nothing, 0.002);
   const Explanation bare{{}, support::assimilated(data)};
