@@ -304,9 +304,6 @@ void keep_better(FitEngine& engine, const FitUnknowns& unknowns, const FitPoint&
     search.best = std::move(found);
 }
 
-/// Times the iterations of others for the one minimum that is kept: a decision, of time alone.
-constexpr int kPatience = 20;
-
 constexpr int kEnough = 4;  // searches that come to the best minimum: others are not needed
 
 /// Fits from starts over the ranges, then about the best of them, by rough implicit steps, whose
@@ -432,11 +429,6 @@ FitSearch search_fit(FitEngine& engine, const FitUnknowns& unknowns, const FitPo
   search.best = reweighted(engine, unknowns, std::move(search.best), options, needed);
   if (check_by_implicit_steps(engine, search.best, kWrong))
     search.best = reweighted(engine, unknowns, std::move(search.best), options, needed);
-  if (!search.best.converged && std::isfinite(search.best.path.cost)) {
-    FitSearchOptions patient = options;  // along a valley that is narrow and curved
-    patient.most_iterations = kPatience * options.most_iterations;
-    search.best = reweighted(engine, unknowns, std::move(search.best), patient, needed);
-  }
   return search;
 }
 
