@@ -147,6 +147,11 @@ FitEstimate estimate(const SystemModel& system, FitEngine& engine,
   result.initial = starts_of(engine, unknowns, known.minimum.point, known.errors.starts);
   result.combinations = known.errors.combinations;
   add_limits(result.numbers, result.combinations);
+  if (search.departs)
+    result.notes.push_back(
+        "free runs depart from the record, and predictions do not: errors grow too much along so "
+        "long a record; give it in shorter pieces (rows of their own `trajectory`), or a shorter "
+        "one");
   result.starts = search.starts;
   result.agreeing = search.agreeing;
   result.spread =

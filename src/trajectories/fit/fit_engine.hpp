@@ -98,16 +98,16 @@ void choose_method(FitEngine& engine, const FitPoint& point);
 /// be too few. @return whether it does.
 bool leave_implicit_steps(FitEngine& engine, const FitPoint& point);
 
-/// Implicit steps with larger errors, as long as it lives: far from a minimum residuals are many
-/// times the noise, and the minimum that is kept is found again by exact steps.
+/// Implicit steps, where they are taken, with larger errors as long as it lives: for fits whose
+/// minimum is found again by exact steps, and for errors of predictions.
 class RoughSteps {
  public:
-  explicit RoughSteps(FitEngine& engine) : engine_(engine) {
-    if (!engine.implicit) take_implicit_steps(engine);
-    engine.implicit->relaxed = kRelaxed;
+  explicit RoughSteps(FitEngine& engine)
+      : engine_(engine), before_(engine.implicit ? engine.implicit->relaxed : 1.0) {
+    if (engine.implicit) engine.implicit->relaxed = kRelaxed;
   }
   ~RoughSteps() {
-    if (engine_.implicit) engine_.implicit->relaxed = 1.0;
+    if (engine_.implicit) engine_.implicit->relaxed = before_;
   }
   RoughSteps(const RoughSteps&) = delete;
   RoughSteps& operator=(const RoughSteps&) = delete;
@@ -115,6 +115,7 @@ class RoughSteps {
  private:
   static constexpr double kRelaxed = 100.0;  // a decision: 0.1 % of the noise, 1e-5 of a state
   FitEngine& engine_;
+  double before_;
 };
 
 /// What rows and residuals are in deviations of.
@@ -124,8 +125,8 @@ enum class Whitening {
 };
 
 /// Calls `visit(n, rows, residual)` at every sample of a record with the derivatives of the c
-/// whitened model values by [initial states, parameters] and the whitened residuals; gains do
-/// not change with them.
+/// whitened model values by [initial states, parameters], 0 by those that are fixed, and the
+/// whitened residuals; gains do not change with them.
 void sensitivities(FitEngine& engine, const FitPoint& point, const FitPath& path,
                    const Gains& gains, Index record,
                    FunctionRef<void(Index, const Matrix&, const Vector&)> visit,

@@ -54,6 +54,7 @@ struct PredictionErrors {
 PredictionErrors predictions_of(FitEngine& engine, const FitPoint& point, const FitPath& path,
                                 Index ahead) {
   constexpr double kFraction = 0.1;
+  const RoughSteps rough(engine);
   FitPath filtered;
   const Gains gains =
       filter_gains(engine, point, disturbances_of(engine, path, kFraction), filtered);

@@ -178,6 +178,7 @@ void guess_starts(const ParametrisedModel& model, const Dataset& view, FitRecord
     const bool is_rate = integral >= 0;
     if (is_rate) records.scale[k] = records.scale[integral] / records.time_scale;
     records.guessed.push_back(!measured && !is_rate && !given);
+    records.fixed.push_back(given && given->fixed);
     for (Index r = 0; r < records.records(); ++r) {
       const Trajectory& run = view.trajectories[static_cast<std::size_t>(r)];
       const Matrix states = filled(run.states, run.marks);
@@ -358,6 +359,7 @@ FitRecords observed_records(const ParametrisedModel& model, const Dataset& view,
   records.scale = Vector::Zero(model.symbolic().dimension());
   records.starts = Matrix::Zero(records.records(), records.scale.size());
   records.guessed.assign(static_cast<std::size_t>(records.scale.size()), false);
+  records.fixed = records.guessed;
   find_events(model.symbolic(), view, records);
   return records;
 }

@@ -2,7 +2,6 @@
 #include "fit_search.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -10,15 +9,12 @@
 
 #include "core/base/random.hpp"
 #include "fit_quality.hpp"
+#include "starts/continuation.hpp"
 #include "starts/other_starts.hpp"
 #include "starts/range_search.hpp"
 
 namespace lacuna {
 namespace {
-
-/// Fractions of their spread by which states are disturbed in one time scale, one after
-/// another.
-constexpr std::array<double, 6> kFractions = {3.0, 1.0, 0.3, 0.1, 0.03, 0.01};
 
 constexpr double kExact = 1e-9;  // of the noise: residuals of a channel that is met to rounding
 
@@ -31,29 +27,6 @@ constexpr double kWrong = 1.0;
 
 double spread_of(const Vector& values) {
   return std::sqrt((values.array() - values.mean()).square().mean());
-}
-
-/// Fits with filters of falling disturbance, then the free run.
-FitMinimum continued(FitEngine& engine, const FitUnknowns& unknowns, FitPoint point,
-                     const FitSearchOptions& options, const RunContext& context) {
-  constexpr int kRounds = 2, kIterations = 8;
-  const double samples = std::sqrt(engine.records.valid.sum());
-  FitPath path = follow(engine, point, {});
-  for (std::size_t level = options.first_level; level < kFractions.size(); ++level)
-    for (int round = 0; round < kRounds; ++round) {
-      const double fraction = kFractions[level];
-      context.check_stop();
-      const Disturbances disturbances = disturbances_of(engine, path, fraction);
-      FitPath filtered;
-      const Gains gains = filter_gains(engine, point, disturbances, filtered);
-      if (!gains.allFinite() || !std::isfinite(filtered.cost)) continue;
-      if (level == options.first_level) choose_substeps(engine, point, gains, 0.1 * samples);
-      FitMinimum found = minimise(engine, unknowns, point, gains, kIterations, context);
-      if (!std::isfinite(found.path.cost)) continue;
-      point = std::move(found.point);
-      path = std::move(found.path);
-    }
-  return minimise(engine, unknowns, point, {}, options.most_iterations, context);
 }
 
 /// The minimum with steps so fine that they shift no number by much of its error.
@@ -96,21 +69,6 @@ double channel_deviance(const FitEngine& engine, const FitPath& path, Index c) {
   return deviance;
 }
 
-/// Residuals over the noise that the samples show, the largest of all channels; infinite where
-/// the noise is not known.
-double excess(const FitEngine& engine, const FitUnknowns& unknowns, const FitMinimum& found) {
-  if (!std::isfinite(found.path.cost)) return std::numeric_limits<double>::infinity();
-  const Vector rms = residual_rms(engine, unknowns, found.path);
-  double most = 0.0;
-  for (std::size_t c = 0; c < engine.records.channels.size(); ++c) {
-    const double noise = engine.records.channels[c].noise;
-    const double size = rms[static_cast<Index>(c)];
-    most = std::max(
-        most, noise > 0.0 ? size / noise : size / (1e-4 * engine.records.channels[c].spread));
-  }
-  return most;
-}
-
 /// How far parameters are from others, as fractions of these.
 double distance(const FitPoint& a, const FitPoint& b) {
   return ((a.parameters - b.parameters).array() / (b.parameters.array().abs() + 1e-300))
@@ -132,6 +90,14 @@ FitPoint mirrored(FitPoint point, const FitPoint& start) {
 
 bool changed_a_sign(const FitPoint& a, const FitPoint& b) {
   return (a.parameters.array() * b.parameters.array() < 0.0).any();
+}
+
+/// Whether a fit leaves what the samples show of the noise. Hidden states have minima that are
+/// good and wrong; there the residuals must be white.
+bool is_good(FitEngine& engine, const FitUnknowns& unknowns, const FitPoint& start,
+             const FitMinimum& found, const FitSearchOptions& options) {
+  return excess_of_noise(engine, unknowns, found) <= options.good &&
+         (!raised(engine, start, 1.0) || are_white(engine, whitened(engine, found.path)));
 }
 
 /// Entries of the rows of a fit: what a step costs.
@@ -312,6 +278,7 @@ constexpr int kEnough = 4;  // searches that come to the best minimum: others ar
 bool search_roughly(FitEngine& engine, const FitUnknowns& unknowns, const FitPoint& start,
                     const FitSearchOptions& options, const RunContext& context,
                     FitSearch& search) {
+  if (!engine.implicit) take_implicit_steps(engine);
   const RoughSteps rough(engine);
   const auto take = [&](FitMinimum found) {
     keep_better(engine, unknowns, start, std::move(found), options, context, search);
@@ -349,15 +316,8 @@ void try_other_starts(FitEngine& engine, const FitUnknowns& unknowns, const FitP
   const auto take = [&](FitMinimum found) {
     keep_better(engine, unknowns, start, std::move(found), options, context, search);
   };
-  // Hidden states have minima that are good and wrong; there the residuals must be white.
-  const bool guessed = raised(engine, start, 1.0).has_value();
-  const auto good = [&] {
-    return excess(engine, unknowns, search.best) <= options.good &&
-           (!guessed || are_white(engine, whitened(engine, search.best.path)));
-  };
-  const bool is_good = good();
-  if (is_good && !changed_a_sign(search.best.point, start) && !options.always_ranges) return;
-  take(minimise(engine, unknowns, start, {}, options.most_iterations, context));
+  const auto good = [&] { return is_good(engine, unknowns, start, search.best, options); };
+  if (good() && !changed_a_sign(search.best.point, start) && !options.always_ranges) return;
   FitUnknowns only_starts = unknowns;
   only_starts.global.clear();
   for (const double sign : {1.0, -1.0})
@@ -388,7 +348,8 @@ void try_other_starts(FitEngine& engine, const FitUnknowns& unknowns, const FitP
     other.first_level = static_cast<std::size_t>(2 * (i % 3));
     const double spread = i % 2 == 0 ? options.spread : options.spread * options.spread;
     take(continued(engine, unknowns, other_start(engine, unknowns, start, spread, random),
-                   other, context));
+                   other, context)
+             .best);
   }
   if (!ranged && search.agreeing < kEnough && has_ranges())
     try_ranges(engine, unknowns, start, options, context, search);
@@ -397,12 +358,57 @@ void try_other_starts(FitEngine& engine, const FitUnknowns& unknowns, const FitP
                   options.most_iterations, context));
 }
 
+/// The minimum that the free run from the start comes to; nothing where it runs away, or depends
+/// on its steps however fine they are.
+std::optional<FitMinimum> from_free_run(FitEngine& engine, const FitUnknowns& unknowns,
+                                        const FitPoint& start, const FitSearchOptions& options,
+                                        const RunContext& context) {
+  if (!std::isfinite(follow(engine, start, {}).cost)) return std::nullopt;
+  choose_substeps(engine, start, {}, 0.1 * std::sqrt(engine.records.valid.sum()));
+  if (!engine.implicit && engine.signals.scheme.substeps == kMostSubsteps) return std::nullopt;
+  return minimise(engine, unknowns, start, {}, options.most_iterations, context);
+}
+
+/// Adds filters to what the free run came to, if it came to something.
+FitSearch through_filters(FitEngine& engine, const FitUnknowns& unknowns, const FitPoint& start,
+                          std::optional<FitMinimum> free, const FitSearchOptions& options,
+                          const RunContext& context) {
+  Continued found = continued(engine, unknowns, start, options, context);
+  FitSearch search{.best = std::move(found.best), .departs = found.departs};
+  if (search.departs) return search;
+  if (!free && (options.only_given || is_good(engine, unknowns, start, search.best, options)))
+    return search;
+  if (!free) free = minimise(engine, unknowns, start, {}, options.most_iterations, context);
+  keep_better(engine, unknowns, start, std::move(*free), options, context, search);
+  return search;
+}
+
+/// From the given start: by its free run alone where that comes to the noise, else by filters
+/// too, until the deadline if there is a free run.
+FitSearch from_given_start(FitEngine& engine, const FitUnknowns& unknowns,
+                           const FitPoint& start, const FitSearchOptions& options,
+                           const RunContext& context) {
+  const RunContext needed = context.unhurried();
+  const Index substeps = engine.signals.scheme.substeps;
+  const bool were_explicit = !engine.implicit;
+  std::optional<FitMinimum> free = from_free_run(engine, unknowns, start, options, needed);
+  if (free && is_good(engine, unknowns, start, *free, options)) return {std::move(*free)};
+  if (were_explicit) engine.implicit.reset();
+  set_substeps(engine, substeps);
+  try {
+    return through_filters(engine, unknowns, start, free, options, free ? context : needed);
+  } catch (const OutOfTime&) {
+    choose_substeps(engine, free->point, {}, kFine);
+    return {.best = std::move(*free), .in_time = false};
+  }
+}
+
 /// From the given start, then from others.
 FitSearch from_several_starts(FitEngine& engine, const FitUnknowns& unknowns,
                               const FitPoint& start, const FitSearchOptions& options,
                               const RunContext& context) {
-  FitSearch search{continued(engine, unknowns, start, options, context.unhurried())};
-  if (options.only_given) return search;
+  FitSearch search = from_given_start(engine, unknowns, start, options, context);
+  if (!search.in_time || options.only_given || search.departs) return search;
   try {
     try_other_starts(engine, unknowns, start, options, context, search);
   } catch (const OutOfTime&) {

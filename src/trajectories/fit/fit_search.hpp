@@ -12,6 +12,9 @@ struct FitSearch {
   int starts = 1;    ///< from how many starts it was looked for
   int agreeing = 1;  ///< how many came to the best
   bool in_time = true;  ///< whether no deadline came before the last other start
+  /// Whether filters meet the noise with next to no disturbance and no free run does: the model
+  /// is chaotic over so long a record, and other starts come to no more.
+  bool departs = false;
 };
 
 /// Minima whose deviances differ by less for each value are taken for one: 1 % of the sum of
@@ -38,8 +41,8 @@ struct FitSearchOptions {
 /// Gains are held while parameters are fitted, and the disturbance is taken away step by step
 /// (continuation in the gain of an observer: Ljung, System Identification (1999), Sect. 7.2;
 /// Abarbanel et al., SIAM J. Appl. Dyn. Syst. 8:1341, 2009). The free run from the guess itself
-/// is tried too; where residuals stay above the noise, seeded other starts. A deadline ends the
-/// trying of other starts, not the fit from the given one.
+/// is tried before; filters where residuals stay above the noise, then seeded other starts. A
+/// deadline ends these, not the fit of the free run.
 FitSearch search_fit(FitEngine& engine, const FitUnknowns& unknowns, const FitPoint& start,
                      const FitSearchOptions& options, const RunContext& context);
 

@@ -10,8 +10,6 @@
 namespace lacuna {
 namespace {
 
-constexpr double kRoot = 2.4494897427831780982;  // of 6
-
 /// Facts of the method: a state counts as a thousandth of its largest value at least; Newton's
 /// method leaves a thousandth of the error that is let pass.
 constexpr double kOfLargest = 1e-3, kNewton = 1e-3;
@@ -24,45 +22,7 @@ void scatter(const Matrix& entries, Index row, const std::vector<MatrixPlace>& p
     matrix(places[i].row, places[i].column) += entries(row, static_cast<Index>(i));
 }
 
-/// Writes 1 - h A x J, whose blocks are the stages.
-template <class Slopes>
-void stage_system(double h, Index m, const Slopes& slope, Matrix& system) {
-  system.setIdentity(3 * m, 3 * m);
-  for (std::size_t i = 0; i < 3; ++i)
-    for (std::size_t j = 0; j < 3; ++j)
-      system.block(static_cast<Index>(i) * m, static_cast<Index>(j) * m, m, m) -=
-          h * Radau::a()[i][j] * slope(j);
-}
-
 }  // namespace
-
-const std::array<double, 3>& Radau::nodes() {
-  static const std::array<double, 3> nodes{(4.0 - kRoot) / 10.0, (4.0 + kRoot) / 10.0, 1.0};
-  return nodes;
-}
-
-const std::array<std::array<double, 3>, 3>& Radau::a() {
-  static const std::array<std::array<double, 3>, 3> a{
-      {{(88.0 - 7.0 * kRoot) / 360.0, (296.0 - 169.0 * kRoot) / 1800.0,
-        (-2.0 + 3.0 * kRoot) / 225.0},
-       {(296.0 + 169.0 * kRoot) / 1800.0, (88.0 + 7.0 * kRoot) / 360.0,
-        (-2.0 - 3.0 * kRoot) / 225.0},
-       {(16.0 - kRoot) / 36.0, (16.0 + kRoot) / 36.0, 1.0 / 9.0}}};
-  return a;
-}
-
-Matrix radau_variation(double h, const RadauSlopes& slopes, const Matrix& deviations) {
-  const Index m = deviations.rows();
-  Matrix right = deviations.replicate(3, 1);
-  for (std::size_t i = 0; i < 3; ++i)
-    for (std::size_t j = 0; j < 3; ++j)
-      right.middleRows(static_cast<Index>(i) * m, m) +=
-          h * Radau::a()[i][j] * slopes.forcing[j];
-  Matrix system;
-  stage_system(h, m, [&](std::size_t j) -> const Matrix& { return slopes.jacobian[j]; },
-               system);
-  return Matrix(system.partialPivLu().solve(right)).bottomRows(m);
-}
 
 void RadauFlow::begin(double tolerance) {
   tolerance_ = tolerance;
@@ -87,6 +47,7 @@ bool RadauFlow::advance(Rates& rates, DriveSlots drive, double t0, double t1, Ve
 double RadauFlow::step(Rates& rates, DriveSlots drive, double t, double longest, Vector& x,
                        Matrix* sensitivity) {
   if (!(step_ > 0.0)) step_ = longest;
+  linearise(rates, drive, t, x);
   if (seen_.size() == 0) guess_sizes(rates, drive, t, longest, x);
   for (int count = 0; count < kMostSteps; ++count) {
     if (t + step_ == t || !x.allFinite() || allowed_-- <= 0) return 0.0;
@@ -122,76 +83,75 @@ void RadauFlow::guess_sizes(Rates& rates, DriveSlots drive, double t, double h,
       seen_[i] = kOfLargest * std::abs(shift_(i, 2));
 }
 
-/// Newton's method for the states of the stages; false where it does not converge.
+/// Sets the rates and their slope at the begin of a step.
+void RadauFlow::linearise(Rates& rates, DriveSlots drive, double t, const Vector& x) {
+  const Index m = x.size();
+  slots_.resize(Radau::kStages, rates.slots());
+  slot_.resize(static_cast<std::size_t>(rates.slots()));
+  begin_.resize(slot_.size());
+  stage_rates_.resize(Radau::kStages, m);
+  jacobian_.resize(Radau::kStages, static_cast<Index>(rates.jacobian_places().size()));
+  columns_.resize(Radau::kStages, static_cast<Index>(rates.column_places().size()));
+  rate_.resize(m);
+  drive(t, begin_.data());
+  std::copy(x.begin(), x.end(), begin_.begin());
+  rates.rate(begin_.data(), rate_.data());
+  slots_.row(0) = Eigen::Map<const Vector>(begin_.data(), rates.slots()).transpose();
+  rates.derivatives(slots_.topRows(1), jacobian_.topRows(1), columns_.topRows(1));
+  slope_.setZero(m, m);
+  scatter(jacobian_, 0, rates.jacobian_places(), slope_);
+}
+
+/// Newton's method for the states of the stages, with the slope at the begin; false where it
+/// does not converge.
 bool RadauFlow::solve_stages(Rates& rates, DriveSlots drive, double t, double h,
                              const Vector& x) {
-  const Index m = x.size();
-  slots_.resize(4, rates.slots());
-  slot_.resize(static_cast<std::size_t>(rates.slots()));
-  for (Index row = 0; row < 4; ++row) {
-    drive(row == 0 ? t : t + Radau::nodes()[static_cast<std::size_t>(row - 1)] * h,
-          slot_.data());
+  for (Index row = 0; row < Radau::kStages; ++row) {
+    drive(t + Radau::nodes()[static_cast<std::size_t>(row)] * h, slot_.data());
     slots_.row(row) = Eigen::Map<const Vector>(slot_.data(), rates.slots()).transpose();
   }
-  shift_.setZero(m, 3);
+  shift_.setZero(x.size(), Radau::kStages);
+  system_.factorise(h, slope_);
   double last = std::numeric_limits<double>::infinity();
   for (int i = 0; i < kMostIterations; ++i) {
-    evaluate(rates, x);
-    correct(h);
-    shift_.reshaped() += change_;
-    set_scale(h, x);
-    double off = 0.0;
-    for (Index j = 0; j < 3; ++j) off = std::max(off, size(change_.segment(j * m, m)));
+    const double off = correct(rates, h, x);
     if (!std::isfinite(off) || off > 2.0 * last) return false;
-    if (off < kNewton) return true;
+    // Changes fall by the same factor each time: what is left is their geometric series.
+    const double factor = i == 0 ? 0.5 : off / last;
+    if (factor < 1.0 && off * factor / (1.0 - factor) < kNewton) return true;
     last = off;
   }
   return false;
 }
 
-void RadauFlow::evaluate(Rates& rates, const Vector& x) {
+/// One iteration of it. @return the size of the change, of the stage with the largest.
+double RadauFlow::correct(Rates& rates, double h, const Vector& x) {
   const Index m = x.size();
-  slots_.row(0).head(m) = x.transpose();
-  for (Index j = 0; j < 3; ++j) slots_.row(j + 1).head(m) = (x + shift_.col(j)).transpose();
-  rate_.resize(4, m);
-  jacobian_.resize(4, static_cast<Index>(rates.jacobian_places().size()));
-  columns_.resize(4, static_cast<Index>(rates.column_places().size()));
-  rates.rate(slots_, rate_);
-  rates.derivatives(slots_, jacobian_, columns_);
-  for (std::size_t j = 0; j < 4; ++j) {
-    slope_[j].setZero(m, m);
-    scatter(jacobian_, static_cast<Index>(j), rates.jacobian_places(), slope_[j]);
-  }
-}
-
-/// Sets the step of Newton's method, its m x 3 values one after another.
-void RadauFlow::correct(double h) {
-  const Index m = shift_.rows();
-  left_ = -shift_.reshaped();
-  for (Index i = 0; i < 3; ++i)
-    for (Index j = 0; j < 3; ++j)
-      left_.segment(i * m, m) +=
-          h * Radau::a()[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)] *
-          rate_.row(j + 1).transpose();
-  stage_system(h, m, [&](std::size_t j) -> const Matrix& { return slope_[j + 1]; }, system_);
-  factors_.compute(system_);
-  change_ = factors_.solve(left_);
+  for (Index j = 0; j < Radau::kStages; ++j)
+    slots_.row(j).head(m) = (x + shift_.col(j)).transpose();
+  rates.rate(slots_, stage_rates_);
+  through_inverse(shift_, weighted_);
+  change_ = stage_rates_.transpose() - weighted_ / h;
+  system_.solve(change_);
+  shift_ += change_;
+  set_scale(h, x);
+  double off = 0.0;
+  for (Index j = 0; j < Radau::kStages; ++j) off = std::max(off, size(change_.col(j)));
+  return change_.allFinite() ? off : std::numeric_limits<double>::infinity();
 }
 
 /// The estimated error of the step, in units of what is let pass.
 double RadauFlow::error(Rates& rates, double h, const Vector& x) {
-  constexpr double kReal = 3.6378342527444957;  // the real eigenvalue of the inverse of A
-  const Index m = x.size();
-  const Vector known = (shift_.col(0) * (-13.0 - 7.0 * kRoot) +
-                        shift_.col(1) * (-13.0 + 7.0 * kRoot) - shift_.col(2)) /
+  const Vector known = (shift_.col(0) * (-13.0 - 7.0 * Radau::kRoot) +
+                        shift_.col(1) * (-13.0 + 7.0 * Radau::kRoot) - shift_.col(2)) /
                        (3.0 * h);
-  system_ = kReal / h * Matrix::Identity(m, m) - slope_[0];
-  factors_.compute(system_);
-  Vector off = factors_.solve(rate_.row(0).transpose() + known);
+  Vector off = system_.solve_real(rate_ + known);
   if (const double first = size(off); first <= 1.0) return first;
-  slots_.row(0).head(m) = (x + off).transpose();
-  rates.rate(slots_, rate_);
-  off = factors_.solve(rate_.row(0).transpose() + known);
+  const Vector moved = x + off;
+  std::copy(moved.begin(), moved.end(), begin_.begin());
+  Vector rate(x.size());
+  rates.rate(begin_.data(), rate.data());
+  off = system_.solve_real(rate + known);
   return size(off);
 }
 
@@ -203,7 +163,7 @@ void RadauFlow::set_scale(double h, const Vector& x) {
   scale_.resize(m);
   for (Index i = 0; i < m; ++i) {
     double rounding = 0.0;
-    for (Index j = 0; j < m; ++j) rounding += std::abs(slope_[0](i, j)) * std::abs(x[j]);
+    for (Index j = 0; j < m; ++j) rounding += std::abs(slope_(i, j)) * std::abs(x[j]);
     const double state = std::max({std::abs(x[i]), std::abs(x[i] + shift_(i, 2)),
                                    kOfLargest * seen_[i]});
     scale_[i] = std::max({tolerance_ * state, kRounding * h * rounding, kLeast,
@@ -216,17 +176,57 @@ double RadauFlow::size(const Eigen::Ref<const Vector>& change) const {
   return std::sqrt((change.array() / scale_.array()).square().mean());
 }
 
-void RadauFlow::vary(Rates& rates, double h, Matrix& sensitivity) const {
+/// Carries derivatives through the step: the linearised equations of its stages, solved by the
+/// factors of Newton's method where slopes hardly change within the step, else by their own.
+void RadauFlow::vary(Rates& rates, double h, Matrix& sensitivity) {
   const Index m = sensitivity.rows(), parameters = sensitivity.cols() - m;
-  RadauSlopes slopes;
+  std::vector<Index> moving;  // columns of 0 that no rate depends on stay 0
+  for (Index j = 0; j < sensitivity.cols(); ++j)
+    if (j >= m || (sensitivity.col(j).array() != 0.0).any()) moving.push_back(j);
+  const auto columns = static_cast<Index>(moving.size());
+  for (Index j = 0; j < Radau::kStages; ++j)
+    slots_.row(j).head(m) += change_.col(j).transpose();
+  rates.derivatives(slots_, jacobian_, columns_);
   for (std::size_t j = 0; j < 3; ++j) {
-    slopes.jacobian[j] = slope_[j + 1];
-    slopes.forcing[j] = Matrix::Zero(m, m + parameters);
+    slopes_.jacobian[j].setZero(m, m);
+    scatter(jacobian_, static_cast<Index>(j), rates.jacobian_places(), slopes_.jacobian[j]);
+    slopes_.forcing[j].setZero(m, columns);
     if (parameters > 0)
-      scatter(columns_, static_cast<Index>(j) + 1, rates.column_places(),
-              slopes.forcing[j].rightCols(parameters));
+      scatter(columns_, static_cast<Index>(j), rates.column_places(),
+              slopes_.forcing[j].rightCols(parameters));
   }
-  sensitivity = radau_variation(h, slopes, sensitivity);
+  Matrix part = sensitivity(Eigen::all, moving);
+  if (!vary_by_iteration(h, part)) part = radau_variation(h, slopes_, part);
+  sensitivity(Eigen::all, moving) = part;
+}
+
+/// @return whether it converges; else derivatives stay as they are.
+bool RadauFlow::vary_by_iteration(double h, Matrix& sensitivity) {
+  constexpr double kExact = 1e-11;  // of each column: far below the errors of steps
+  constexpr int kMost = 5;          // a fact of cost: then factors of the whole are no slower
+  const Index columns = sensitivity.cols();
+  const auto stage = [&](Matrix& all, std::size_t j) {
+    return all.middleCols(static_cast<Index>(j) * columns, columns);
+  };
+  variation_.setZero(sensitivity.rows(), Radau::kStages * columns);
+  for (int i = 0; i < kMost; ++i) {
+    through_inverse(variation_, weighted_);
+    defect_ = weighted_ / -h;
+    for (std::size_t j = 0; j < 3; ++j) {
+      stage(defect_, j) += slopes_.forcing[j];
+      stage(defect_, j).noalias() +=
+          slopes_.jacobian[j] * (sensitivity + stage(variation_, j));
+    }
+    system_.solve(defect_);
+    variation_ += defect_;
+    const auto change = stage(defect_, 2).colwise().norm();
+    const auto now = (sensitivity + stage(variation_, 2)).colwise().norm();
+    if ((change.array() <= kExact * now.array()).all()) {
+      sensitivity += stage(variation_, 2);
+      return true;
+    }
+  }
+  return false;
 }
 
 bool is_beyond_explicit_steps(const Eigen::Ref<const Matrix>& jacobian, double step) {

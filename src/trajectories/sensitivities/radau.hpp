@@ -2,33 +2,15 @@
 // The flow of a stiff model with its exact derivatives, by implicit steps.
 #pragma once
 
-#include <Eigen/LU>
-#include <array>
 #include <limits>
 #include <utility>
 #include <vector>
 
 #include "lacuna/core/base/function_ref.hpp"
+#include "trajectories/sensitivities/radau_system.hpp"
 #include "trajectories/sensitivities/rates.hpp"
 
 namespace lacuna {
-
-/// Nodes and coefficients of the method Radau IIA of order 5: three stages, L-stable, the last
-/// one is the new state (Hairer and Wanner, Solving Ordinary Differential Equations II, IV.5).
-struct Radau {
-  static const std::array<double, 3>& nodes();
-  static const std::array<std::array<double, 3>, 3>& a();
-};
-
-/// Rates linearised at the stages of a step: d' = J d + G for columns of deviations d.
-struct RadauSlopes {
-  std::array<Matrix, 3> jacobian;  ///< m x m
-  std::array<Matrix, 3> forcing;   ///< m x columns
-};
-
-/// Deviations at the end of a step of length h from those at its begin (m x columns): the
-/// variational equations by the same method, which are the exact derivatives of its steps.
-Matrix radau_variation(double h, const RadauSlopes& slopes, const Matrix& deviations);
 
 /// Writes the slots of Rates behind the states for a time.
 using DriveSlots = FunctionRef<void(double t, double* slots)>;
@@ -70,14 +52,15 @@ class RadauFlow {
   auto stage_shift(Index stage) const { return shift_.col(stage); }
 
  private:
+  void linearise(Rates& rates, DriveSlots drive, double t, const Vector& x);
   void guess_sizes(Rates& rates, DriveSlots drive, double t, double h, const Vector& x);
   bool solve_stages(Rates& rates, DriveSlots drive, double t, double h, const Vector& x);
-  void evaluate(Rates& rates, const Vector& x);
-  void correct(double h);
+  double correct(Rates& rates, double h, const Vector& x);
   double error(Rates& rates, double h, const Vector& x);
   void set_scale(double h, const Vector& x);
   double size(const Eigen::Ref<const Vector>& change) const;
-  void vary(Rates& rates, double h, Matrix& sensitivity) const;
+  void vary(Rates& rates, double h, Matrix& sensitivity);
+  bool vary_by_iteration(double h, Matrix& sensitivity);
 
   Vector accuracy_;
   double tolerance_ = kTolerance;
@@ -85,13 +68,15 @@ class RadauFlow {
   long allowed_ = std::numeric_limits<long>::max();
   Vector seen_;                               // the largest values of the states so far
   Matrix shift_;                              // m x 3: states of the stages less the begin
-  Matrix slots_, rate_, jacobian_, columns_;  // at the begin of the step, then at its stages
-  std::array<Matrix, 4> slope_;               // df/dx there
-  std::vector<double> slot_;
   // Of the present step; members, as models are small and memory would take most of its time.
-  Vector left_, change_, scale_;
-  Matrix system_;
-  Eigen::PartialPivLU<Matrix> factors_;
+  std::vector<double> begin_, slot_;          // slots at its begin, at a stage
+  Vector rate_, scale_;
+  Matrix slope_;                              // df/dx there
+  Matrix slots_, stage_rates_;                // a row for each stage
+  Matrix jacobian_, columns_;                 // entries of df/dx and df/dp there
+  Matrix change_, weighted_, variation_, defect_;
+  RadauSlopes slopes_;
+  RadauSystem system_;
 };
 
 /// Whether Runge and Kutta's method of order 4 with steps of this length does not damp what

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: MIT
+#include "trajectories/sensitivities/radau_system.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <complex>
+
+namespace lacuna {
+namespace {
+
+/// Eigenvalues of the inverse of A, one real and a pair of conjugates, with their right and left
+/// eigenvectors, whose products are 1.
+struct Modes {
+  double real;
+  std::complex<double> pair;
+  Eigen::Vector3d real_right, real_left;
+  Eigen::Vector3cd pair_right, pair_left;
+};
+
+Modes find_modes() {
+  const Eigen::EigenSolver<Eigen::Matrix3d> solver(Radau::inverse());
+  const Eigen::Matrix3cd right = solver.eigenvectors(), left = right.inverse();
+  Modes modes;
+  for (Index k = 0; k < 3; ++k) {
+    const std::complex<double> value = solver.eigenvalues()[k];
+    if (value.imag() == 0.0) {
+      modes.real = value.real();
+      modes.real_right = right.col(k).real();
+      modes.real_left = left.row(k).transpose().real();
+    } else if (value.imag() > 0.0) {
+      modes.pair = value;
+      modes.pair_right = right.col(k);
+      modes.pair_left = left.row(k).transpose();
+    }
+  }
+  return modes;
+}
+
+const Modes& modes() {
+  static const Modes found = find_modes();
+  return found;
+}
+
+/// Writes 1 - h A x J, whose blocks are the stages.
+Matrix stage_system(double h, const std::array<Matrix, 3>& slope) {
+  const Index m = slope[0].rows();
+  Matrix system = Matrix::Identity(3 * m, 3 * m);
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t j = 0; j < 3; ++j)
+      system.block(static_cast<Index>(i) * m, static_cast<Index>(j) * m, m, m) -=
+          h * Radau::a()[i][j] * slope[j];
+  return system;
+}
+
+}  // namespace
+
+const std::array<double, 3>& Radau::nodes() {
+  static const std::array<double, 3> nodes{(4.0 - Radau::kRoot) / 10.0, (4.0 + Radau::kRoot) / 10.0, 1.0};
+  return nodes;
+}
+
+const std::array<std::array<double, 3>, 3>& Radau::a() {
+  static const std::array<std::array<double, 3>, 3> a{
+      {{(88.0 - 7.0 * Radau::kRoot) / 360.0, (296.0 - 169.0 * Radau::kRoot) / 1800.0,
+        (-2.0 + 3.0 * Radau::kRoot) / 225.0},
+       {(296.0 + 169.0 * Radau::kRoot) / 1800.0, (88.0 + 7.0 * Radau::kRoot) / 360.0,
+        (-2.0 - 3.0 * Radau::kRoot) / 225.0},
+       {(16.0 - Radau::kRoot) / 36.0, (16.0 + Radau::kRoot) / 36.0, 1.0 / 9.0}}};
+  return a;
+}
+
+const Eigen::Matrix3d& Radau::inverse() {
+  static const Eigen::Matrix3d inverse = [] {
+    Eigen::Matrix3d matrix;
+    for (Index i = 0; i < 3; ++i)
+      for (Index j = 0; j < 3; ++j)
+        matrix(i, j) = a()[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)];
+    return Eigen::Matrix3d(matrix.inverse());
+  }();
+  return inverse;
+}
+
+Matrix radau_variation(double h, const RadauSlopes& slopes, const Matrix& deviations) {
+  const Index m = deviations.rows();
+  Matrix right = deviations.replicate(3, 1);
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t j = 0; j < 3; ++j)
+      right.middleRows(static_cast<Index>(i) * m, m) +=
+          h * Radau::a()[i][j] * slopes.forcing[j];
+  return Matrix(stage_system(h, slopes.jacobian).partialPivLu().solve(right)).bottomRows(m);
+}
+
+void RadauSystem::factorise(double h, const Matrix& jacobian) {
+  real_system_ = -jacobian;
+  real_system_.diagonal().array() += modes().real / h;
+  real_factors_.compute(real_system_);
+  pair_system_ = -jacobian.cast<std::complex<double>>();
+  pair_system_.diagonal().array() += modes().pair / h;
+  pair_factors_.compute(pair_system_);
+}
+
+void RadauSystem::solve(Eigen::Ref<Matrix> stages) {
+  const Modes& mode = modes();
+  const Index columns = stages.cols() / Radau::kStages;
+  const auto stage = [&](Index j) { return stages.middleCols(j * columns, columns); };
+  real_.setZero(stages.rows(), columns);
+  pair_.setZero(stages.rows(), columns);
+  for (Index j = 0; j < Radau::kStages; ++j) {
+    real_ += mode.real_left[j] * stage(j);
+    pair_ += mode.pair_left[j] * stage(j);
+  }
+  real_ = real_factors_.solve(real_);
+  pair_ = pair_factors_.solve(pair_);
+  for (Index j = 0; j < Radau::kStages; ++j)
+    stage(j) = mode.real_right[j] * real_ + 2.0 * (mode.pair_right[j] * pair_).real();
+}
+
+void through_inverse(const Matrix& stages, Matrix& result) {
+  const Index columns = stages.cols() / Radau::kStages;
+  result.setZero(stages.rows(), stages.cols());
+  for (Index i = 0; i < Radau::kStages; ++i)
+    for (Index j = 0; j < Radau::kStages; ++j)
+      result.middleCols(i * columns, columns) +=
+          Radau::inverse()(i, j) * stages.middleCols(j * columns, columns);
+}
+
+}  // namespace lacuna
