@@ -8,6 +8,7 @@
 #include "core/base/random.hpp"
 #include "lacuna/data/derivatives/finite_differences.hpp"
 #include "lacuna/dynamics/integration/butcher_tableau.hpp"
+#include "lacuna/dynamics/integration/cvode.hpp"
 #include "lacuna/dynamics/integration/record_input.hpp"
 #include "lacuna/dynamics/integration/runge_kutta.hpp"
 #include "lacuna/dynamics/integration/simulate.hpp"
@@ -24,6 +25,7 @@ struct GreyBoxRecord {
   Index samples = 600;
   double noise = 0.01;  ///< of the standard deviation of each output
   std::uint64_t seed = 1;
+  bool stiff = false;  ///< whether it is solved by CVODE
 };
 
 /// Inputs that move everything: sums of three sines about 1.
@@ -42,8 +44,9 @@ inline Dataset grey_box_columns(const OdeModel& model, const GreyBoxRecord& reco
   const Vector time = sample_times(0.0, record.step, record.samples);
   const Matrix inputs = grey_box_inputs(time, static_cast<Index>(model.inputs().size()));
   RecordInput signal(time, inputs, Interpolation::Linear);
-  const Solution orbit =
-      simulate(DrivenModel{model, signal, signal.breaks()}, Rk4{}, record.start, time);
+  const DrivenModel driven{model, signal, signal.breaks()};
+  const Solution orbit = record.stiff ? simulate(driven, Cvode(), record.start, time)
+                                      : simulate(driven, Rk4{}, record.start, time);
   Dataset data;
   data.time_unit = model.time_unit();
   data.inputs = model.inputs();

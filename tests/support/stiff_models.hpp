@@ -6,6 +6,7 @@
 #include <string>
 
 #include "core/base/random.hpp"
+#include "core/base/text.hpp"
 #include "lacuna/dynamics/integration/cvode.hpp"
 #include "lacuna/dynamics/integration/record_input.hpp"
 #include "lacuna/dynamics/integration/simulate.hpp"
@@ -112,6 +113,33 @@ inline StiffRecord gate(double noise = 0.0, const std::string& text = gate_text(
   data.trajectories = {{"stiff", times, states, input, Matrix()}};
   add_noise(noise, seed, data);
   return {text, data};
+}
+
+/// A chain of thirty reactions x0 -> x1 -> ... with rates from 1e-3 to 1e6 in mixed order.
+constexpr Index kChain = 30;
+
+/// The place of a rate among all, from the slowest on.
+inline Index chain_place(Index i) { return 7 * i % kChain; }
+
+inline double chain_rate(Index i) {
+  return std::pow(10.0, -3.0 + 9.0 * static_cast<double>(chain_place(i)) / 29.0);
+}
+
+/// Whether a member of the chain is measured: those with the four slowest rates, and the last.
+inline bool is_measured_in_chain(Index i) { return chain_place(i) < 4 || i == kChain - 1; }
+
+/// The four slowest rates are free.
+inline std::string chain_text() {
+  std::string free, fixed, equations, outputs;
+  for (Index i = 0; i < kChain; ++i) {
+    const std::string n = std::to_string(i), before = std::to_string(i - 1);
+    (chain_place(i) < 4 ? free : fixed) += "param k" + n + " = " + format_number(chain_rate(i)) +
+                                           (chain_place(i) < 4 ? "\n" : " fixed\n");
+    equations += "dx" + n + "/dt = " + (i > 0 ? "k" + before + "*x" + before : "") + " - k" + n +
+                 "*x" + n + "\ninitial x" + n + (i > 0 ? " = 0 fixed\n" : " = 1 fixed\n");
+    if (is_measured_in_chain(i)) outputs += "y" + n + " = x" + n + "\n";
+  }
+  return free + fixed + equations + outputs;
 }
 
 }  // namespace lacuna::support

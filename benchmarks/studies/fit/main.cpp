@@ -50,7 +50,8 @@ Dataset record_of(const GreyBox& box, const OdeModel& truth, std::uint64_t draw)
                                    .step = box.step,
                                    .samples = box.samples,
                                    .noise = kNoise,
-                                   .seed = draw});
+                                   .seed = draw,
+                                   .stiff = box.stiff});
 }
 
 /// @param number 1 and up.

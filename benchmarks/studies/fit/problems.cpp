@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "problems.hpp"
 
+#include "support/stiff_models.hpp"
+
 namespace lacuna::benchmarks {
 namespace {
 
@@ -143,12 +145,41 @@ std::vector<GreyBox> more_hidden() {
   };
 }
 
+/// Records along which errors grow by exp(0.9 t), 1.7 exp(0.07 t) and the like.
+std::vector<GreyBox> chaotic() {
+  const std::string lorenz =
+      "param s = 10\nparam r = 28\nparam b = 2.7\ndx/dt = s*(y - x)\n"
+      "dy/dt = x*(r - z) - y\ndz/dt = x*y - b*z\nX = x\nY = y\nZ = z\n";
+  return {{"lorenz, 8", lorenz, {1.0, 2.0, 20.0}, 0.01, 800},
+          {"lorenz, 16", lorenz, {1.0, 2.0, 20.0}, 0.01, 1600},
+          {"rossler, 100",
+           "param a = 0.2\nparam b = 0.2\nparam c = 5.7\ndx/dt = -y - z\ndy/dt = x + a*y\n"
+           "dz/dt = b + z*(x - c)\nX = x\nY = y\nZ = z\n",
+           {3.0, 3.0, 0.1},
+           0.1,
+           1000},
+          {"chua, 25",
+           "param a = 10.8\nparam b = 14.3\nparam g = 0.6\ndx/dt = a*(y - g*x^3 + 0.2*x)\n"
+           "dy/dt = x - y + z\ndz/dt = -b*y\nfixed dy/dt: x\nfixed dy/dt: y\nfixed dy/dt: z\nX = x\nY = y\nZ = z\n",
+           {0.3, 0.1, 0.0},
+           0.05,
+           500}};
+}
+
+/// Rates from 1e-3 to 1e6.
+GreyBox reactions() {
+  std::vector<double> start(static_cast<std::size_t>(support::kChain), 0.0);
+  start[0] = 1.0;
+  return {"thirty reactions", support::chain_text(), start, 60.0, 101, true, true};
+}
+
 }  // namespace
 
 std::vector<GreyBox> grey_boxes() {
   std::vector<GreyBox> all = measured();
-  for (const auto& more : {more_measured(), hidden(), more_hidden()})
+  for (const auto& more : {more_measured(), hidden(), more_hidden(), chaotic()})
     all.insert(all.end(), more.begin(), more.end());
+  all.push_back(reactions());
   return all;
 }
 

@@ -14,9 +14,11 @@ struct GreyBox {
   double step = 0.05;
   int samples = 600;
   bool hidden = false;  ///< whether a state is neither measured nor made of one that is
+  bool stiff = false;
 };
 
-/// Twenty problems, ten of them with hidden states; every free number is determined.
+/// Twenty problems, ten of them with hidden states, four chaotic records and a chain of thirty
+/// reactions; every free number is determined.
 std::vector<GreyBox> grey_boxes();
 
 }  // namespace lacuna::benchmarks
