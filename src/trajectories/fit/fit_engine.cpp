@@ -257,8 +257,9 @@ void sensitivities(FitEngine& engine, const FitPoint& point, const FitPath& path
   SensitivityPass pass(engine, path, gains, record);
   Matrix s = Matrix::Zero(m, m + p), rows(count, m + p), by_state(count, m),
          by_parameter(count, p);
+  const std::vector<bool>& fixed = engine.records.fixed;
   for (Index k = 0; k < m; ++k)
-    if (!engine.records.fixed[static_cast<std::size_t>(k)]) s(k, k) = 1.0;
+    if (fixed.empty() || !fixed[static_cast<std::size_t>(k)]) s(k, k) = 1.0;
   for (Index n = first; n < end; ++n) {
     if (path.arrivals.rows() > 0) {
       Vector arriving = path.arrivals.row(n).transpose();

@@ -359,7 +359,6 @@ FitRecords observed_records(const ParametrisedModel& model, const Dataset& view,
   records.scale = Vector::Zero(model.symbolic().dimension());
   records.starts = Matrix::Zero(records.records(), records.scale.size());
   records.guessed.assign(static_cast<std::size_t>(records.scale.size()), false);
-  records.fixed = records.guessed;
   find_events(model.symbolic(), view, records);
   return records;
 }

@@ -33,7 +33,7 @@ struct FitRecords {
   Matrix starts;                     ///< R x m: first guess of the initial states
   std::vector<std::string> notes = {};  ///< values that were left out
   std::vector<bool> guessed;         ///< m: whether the records show nothing of that guess
-  std::vector<bool> fixed;           ///< m: whether it is known exactly
+  std::vector<bool> fixed;           ///< m: whether it is known exactly; empty: none is
   Vector scale;                      ///< m: spread of a state where it is known, else 0
   std::vector<std::vector<std::size_t>> events = {};  ///< N: timed ones of each sample, or empty
   double time_scale = 1.0;           ///< spread of the channels over that of their rates
