@@ -54,6 +54,7 @@
 #include "lacuna/solvers/best_subset.hpp"
 #include "lacuna/solvers/elastic_net.hpp"
 #include "lacuna/solvers/ensemble.hpp"
+#include "lacuna/solvers/entropic.hpp"
 #include "lacuna/solvers/frols.hpp"
 #include "lacuna/solvers/gls.hpp"
 #include "lacuna/solvers/irls.hpp"

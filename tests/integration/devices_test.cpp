@@ -192,5 +192,18 @@ TEST_F(Devices, TwoTanksLackNothing) {
                             "devices/two_tanks/test.csv"));
 }
 
+/// dv/dt = 0.8 sin(x) - 0.5 v^3 - 0.2 x^3 - 0.5 x v - x cos(x), with columns of the derivatives.
+TEST_F(Devices, AnOscillatorIsFoundThoughItsDerivativesAreColumns) {
+  const CommandResult run =
+      run_program("identify " + data("devices/oscillators/oscillator1_train.csv.gz") +
+                  " --json -");
+  ASSERT_EQ(run.status, 0) << run.err;
+  const Json answer = Json::parse(run.out);
+  Names terms;
+  for (const Json& term : answer["model"]["equations"][1]["terms"]) terms.insert(term["term"]);
+  EXPECT_EQ(terms, (Names{"sin(x)", "v^3", "x^3", "x*v", "x*cos(x)"}));
+  EXPECT_THAT(answer["warnings"].dump(), ::testing::HasSubstr("dx (of x), dv (of v)"));
+}
+
 }  // namespace
 }  // namespace lacuna::testing

@@ -76,7 +76,7 @@ void declare_column_options(CLI::App& app, DataOptions& options, bool choose_col
   declare_map_option(app, options);
   if (!choose_columns) return;
   app.add_option("--states", options.states,
-                 "State columns [default: all without another role]")
+                 "State columns [default: all without another role but derivatives of others]")
       ->type_name("a,b,c");
   app.add_option("--inputs", options.inputs, "Input columns [default: none]")->type_name("u,v");
   app.add_option("--derivatives", options.derivatives,

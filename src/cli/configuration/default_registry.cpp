@@ -45,6 +45,7 @@
 #include "lacuna/solvers/best_subset.hpp"
 #include "lacuna/solvers/elastic_net.hpp"
 #include "lacuna/solvers/ensemble.hpp"
+#include "lacuna/solvers/entropic.hpp"
 #include "lacuna/solvers/frols.hpp"
 #include "lacuna/solvers/gls.hpp"
 #include "lacuna/solvers/irls.hpp"
@@ -116,6 +117,7 @@ void add_solvers(Registry& registry) {
   registry.add<BestSubset>();
   registry.add<ElasticNet>();
   registry.add<Frols>();
+  registry.add<Entropic>();
   registry.add<Sr3>();
   registry.add<Ensemble>();
   registry.add<Gls>();

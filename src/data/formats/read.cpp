@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "core/files/file_bytes.hpp"
+#include "data/records/columns/derivative_columns.hpp"
 #include "data/records/same_columns.hpp"
 #include "data/records/text_field.hpp"
 #include "data/sheets/workbook.hpp"
@@ -109,6 +110,12 @@ Table read_table(const fs::path& path) { return read_any(path, no_time); }
 
 namespace {
 
+/// Without derivatives among the states, where nothing says which columns are states.
+Dataset with_own_states(Dataset data, const ColumnRoles& roles) {
+  if (!roles.states.empty() || !roles.derivatives.empty()) return data;
+  return without_derivative_columns(std::move(data));
+}
+
 /// Tables one behind another; of the first only the columns are kept.
 Dataset joined(std::size_t count,
                FunctionRef<Table(std::size_t number, const ColumnRoles& roles)> table_at,
@@ -152,7 +159,7 @@ Dataset read_dataset(const std::vector<std::string>& paths, const ColumnRoles& r
   const auto table_at = [&](std::size_t number, const ColumnRoles& its_roles) {
     return read_table(files[number], its_roles);
   };
-  return joined(files.size(), table_at, roles);
+  return with_own_states(joined(files.size(), table_at, roles), roles);
 }
 
 Dataset dataset_of_tables(std::vector<Table> tables, const ColumnRoles& roles) {
@@ -161,7 +168,7 @@ Dataset dataset_of_tables(std::vector<Table> tables, const ColumnRoles& roles) {
   const auto table_at = [&](std::size_t number, const ColumnRoles& its_roles) {
     return renamed(std::move(tables[number]), its_roles);
   };
-  return joined(tables.size(), table_at, roles);
+  return with_own_states(joined(tables.size(), table_at, roles), roles);
 }
 
 }  // namespace lacuna

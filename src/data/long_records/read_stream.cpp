@@ -5,6 +5,7 @@
 #include <memory>
 #include <utility>
 
+#include "data/records/columns/derivative_columns.hpp"
 #include "data/records/piece_name.hpp"
 #include "data/records/same_columns.hpp"
 #include "find_records.hpp"
@@ -88,6 +89,24 @@ void add_records(const std::shared_ptr<const RecordFile>& file, Records found,
   }
 }
 
+/// The same roles, or with states that are no derivatives of others by the first rows.
+/// @param notes gets a sentence on those.
+ColumnRoles with_own_states(const NpyFile& file, ColumnRoles roles,
+                            std::vector<std::string>& notes) {
+  constexpr Index kRows = 20000;
+  if (!roles.states.empty() || !roles.derivatives.empty() ||
+      !has_derivative_names(file.columns().columns))
+    return roles;
+  ColumnRoles called = roles;
+  called.names.clear();  // the columns are called so already
+  const Dataset all = assign_roles(file.read(0, std::min(kRows, file.rows())), called);
+  const Dataset own = without_derivative_columns(all);
+  if (own.state_count() == all.state_count()) return roles;
+  notes.push_back(own.notes.back());
+  roles.states = names_of(own.states);
+  return roles;
+}
+
 void append_notes(const std::vector<std::string>& notes, Dataset& data) {
   data.notes.insert(data.notes.end(), notes.begin(), notes.end());
 }
@@ -111,11 +130,14 @@ std::shared_ptr<const RecordFiles> open_records(const std::vector<std::string>& 
     name_in_order(file.columns(), fixed);
     const Table& first = all.files.empty() ? file.columns() : all.files[0]->file.columns();
     check_same_columns(first, file.columns());
+    std::vector<std::string> notes;
+    if (all.files.empty()) fixed = with_own_states(file, std::move(fixed), notes);
     ColumnIndices columns = find_columns(file.columns(), fixed);
     Dataset description = described(file.columns(), columns, fixed);
     if (all.files.empty()) {
-      fixed = fixed_roles(first, roles);
+      fixed = fixed_roles(first, fixed);
       all.description = std::move(description);
+      append_notes(notes, all.description);
     } else {
       check_same_units(all.description, description, file.columns().source, first.source);
       append_notes(description.notes, all.description);

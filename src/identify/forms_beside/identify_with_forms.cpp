@@ -270,6 +270,30 @@ Extension with_compositions(const FormsTask& simple, Extension found) {
   return is_worth_composing(task, other, found, tried) ? std::move(other) : std::move(found);
 }
 
+/// A model with other functions in the place of terms, where those leave less and are no more.
+Extension with_exchanges(const FormsTask& simple, Extension found) {
+  if (!found.has_forms()) return found;
+  std::vector<std::vector<Candidate>> candidates = simple.candidates;
+  const Scope scope = make_scope(found.result.model, simple.data, found.result.noise);
+  std::vector<EquationForms> equations = found.equations;
+  bool changed = false;
+  for (std::size_t k = 0; k < candidates.size(); ++k) {
+    if (equations[k].forms.empty() || candidates[k].empty()) continue;
+    append(composed_forms(scope, static_cast<Index>(k)), candidates[k]);
+    const FormSearch& search = simple.pipeline.search();
+    EquationForms other = search.exchanged(equations[k], candidates[k]);
+    changed = changed || other.parameters() < equations[k].parameters() ||
+              search.left(other) < search.left(equations[k]);
+    equations[k] = std::move(other);
+  }
+  if (!changed) return found;
+  Extension other = simple.pipeline.settled(std::move(equations), candidates);
+  const bool is_ahead = other.numbers() <= found.numbers() &&
+                        reaches_the_noise(other.result) >= reaches_the_noise(found.result) &&
+                        simple.pipeline.models().excess(other.result, found.result) < 0.0;
+  return is_ahead ? std::move(other) : std::move(found);
+}
+
 /// Whether there are rows enough to distinguish forms from the library.
 bool has_rows_for_forms(const ExtendedPipeline& pipeline) {
   return pipeline.search().rows() > 2 * pipeline.library().size();
@@ -300,7 +324,7 @@ IdentificationResult with_forms_beside(const RecordStream& records, const Pipeli
   const FormsTask task{extended, candidates, data, options, context};
   Extension with = with_forms_beside(task, alone);
   if (!is_better(task, with, alone)) with = {alone, kept_in(alone, bare_equations(task))};
-  with = with_compositions(task, std::move(with));
+  with = with_exchanges(task, with_compositions(task, std::move(with)));
   if (with.has_forms()) with.result.library_alone = std::move(alone.model);
   return std::move(with.result);
 }

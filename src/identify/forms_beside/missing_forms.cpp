@@ -37,6 +37,16 @@ std::vector<MissingForm> distinct(const std::vector<MissingForm>& forms) {
   return result;
 }
 
+/// Without one of the terms or, behind them, of the forms.
+EquationForms without(EquationForms equation, std::size_t place) {
+  const std::size_t terms = equation.terms.size();
+  if (place < terms)
+    equation.terms.erase(equation.terms.begin() + static_cast<std::ptrdiff_t>(place));
+  else
+    equation.forms.erase(equation.forms.begin() + static_cast<std::ptrdiff_t>(place - terms));
+  return equation;
+}
+
 }  // namespace
 
 Expression MissingForm::expression() const {
@@ -228,6 +238,46 @@ EquationForms FormSearch::with_fewer_terms(EquationForms equation,
     return with_fewer_terms(std::move(best.equation), candidates, library, remainder,
                             negligible);
   return best.equation;
+}
+
+EquationForms FormSearch::exchanged(const EquationForms& equation,
+                                    const std::vector<Candidate>& candidates) const {
+  std::vector<Candidate> plain;
+  for (const Candidate& candidate : candidates)
+    if (candidate.shapes.empty()) plain.push_back(candidate);
+  EquationForms best = with_exchanges(equation, plain);
+  const std::size_t terms = equation.terms.size();
+  for (std::size_t f = 0; f < equation.forms.size(); ++f) {
+    if (equation.forms[f].shapes.size() == 0) continue;
+    const std::vector<Trial> trials = problem_->with_each(without(equation, terms + f), plain);
+    if (trials.empty()) continue;
+    EquationForms other = with_exchanges(trials.front().equation, plain);
+    const double same =
+        problem_->same_as(problem_->left(best), problem_->residual_noise(best.equation));
+    if (other.parameters() < best.parameters() && problem_->left(other) <= same)
+      best = std::move(other);
+  }
+  return best;
+}
+
+EquationForms FormSearch::with_exchanges(EquationForms equation,
+                                         const std::vector<Candidate>& plain) const {
+  constexpr double kHalf = 0.25;  // of squares
+  const double least = fitting(problem_->residual_noise(equation.equation));
+  for (;;) {
+    const double left = problem_->left(equation);
+    if (!(left > least)) return equation;
+    Trial best{equation, kHalf * left};
+    bool changed = false;
+    for (std::size_t place = 0; place < equation.terms.size() + equation.forms.size(); ++place) {
+      const std::vector<Trial> trials = problem_->with_each(without(equation, place), plain);
+      if (trials.empty() || !(trials.front().left < best.left)) continue;
+      best = trials.front();
+      changed = true;
+    }
+    if (!changed) return equation;
+    equation = std::move(best.equation);
+  }
 }
 
 std::optional<EquationForms> FormSearch::plainer(const EquationForms& equation,

@@ -109,6 +109,13 @@ class FormSearch {
                                  Remainder remainder = Remainder::Unknown,
                                  double negligible = 0.0) const;
 
+  /// Puts candidates without shapes in the place of single terms and forms, the one that leaves
+  /// least first, as long as each halves what more than noise is left (rms): x*cos(x) for x
+  /// beside sin(x), of which x was the first of a series. In the place of a form with shapes
+  /// where after such exchanges the same is left. No parameter more.
+  EquationForms exchanged(const EquationForms& equation,
+                          const std::vector<Candidate>& candidates) const;
+
   /// The equation with plain forms in the place of shaped ones that are nearly the same at the
   /// samples. Nothing where there is none.
   std::optional<EquationForms> plainer(const EquationForms& equation,
@@ -139,6 +146,10 @@ class FormSearch {
   /// Takes in candidates as with_missing_forms(), as long as more than `least` is left.
   EquationForms extended(EquationForms equation, const std::vector<Candidate>& candidates,
                          std::size_t most_forms, double least, double most_residual = 1.0) const;
+
+  /// @param plain candidates without shapes.
+  EquationForms with_exchanges(EquationForms equation,
+                               const std::vector<Candidate>& plain) const;
 
   /// The most that an equation leaves that fits to so much noise (sums of squares).
   double fitting(double noise) const;

@@ -33,6 +33,9 @@ std::vector<std::string> expand_patterns(const std::vector<std::string>& paths);
 /// Reads files (paths or shell-like patterns such as "run*.csv") into one dataset.
 /// All must have the same columns, in any order; the first file sets their order and units.
 /// A pattern stands for the files that match it, in the order of their names.
+/// Where no column is named as a state or a derivative, columns that are the derivatives of
+/// others by name and by values ("dx/dt", "x_dot") and no states of their own are left out,
+/// which a note says.
 /// @throws FileError, DataError as above; DataError when a pattern matches no file.
 Dataset read_dataset(const std::vector<std::string>& paths, const ColumnRoles& roles = {});
 

@@ -4,10 +4,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstdlib>
 #include <string>
 #include <vector>
 
+#include "core/base/text.hpp"
 #include "core/files/file_bytes.hpp"
 #include "data/formats/npy.hpp"
 #include "lacuna/core/base/error.hpp"
@@ -155,6 +157,32 @@ TEST(ReadDataset, ReadsMeasuredRecords) {
   const Dataset chaos =
       read_dataset({base + "/chaos70/train/Lorenz.csv.gz"}, {.trajectory = "trajectory"});
   EXPECT_EQ(chaos.trajectories.size(), 5u);
+}
+
+/// Rates of a cycle beside its states.
+std::string states_and_rates() {
+  std::string text = "t,x,y,dx/dt,dy/dt\n";
+  for (int i = 0; i < 200; ++i) {
+    const double t = 0.1 * i, x = std::cos(t), y = 1.0 + std::sin(t) * std::cos(t);
+    for (const double value : {t, x, y, -std::sin(t)}) text += format_number(value) + ",";
+    text += format_number(std::cos(2.0 * t)) + "\n";
+  }
+  return text;
+}
+
+TEST(ReadDataset, DerivativesOfOtherColumnsAreNoStates) {
+  const TemporaryFolder folder;
+  const std::vector<std::string> files{folder.write("a.csv", states_and_rates()),
+                                       folder.write("b.csv", states_and_rates())};
+  const Dataset data = read_dataset(files);
+  EXPECT_EQ(names_of(data.states), (std::vector<std::string>{"x", "y"}));
+  EXPECT_THAT(data.notes.back(), HasSubstr("--states x,y,dx_dt,dy_dt"));
+  const ColumnRoles all{.states = {"x", "y", "dx_dt", "dy_dt"}};
+  EXPECT_EQ(read_dataset(files, all).state_count(), 4);
+  const ColumnRoles given{.derivatives = {"dx_dt", "dy_dt"}};
+  EXPECT_TRUE(read_dataset(files, given).has_derivatives());
+  const Dataset of_tables = dataset_of_tables({read_table(files[0]), read_table(files[1])});
+  EXPECT_EQ(of_tables.states, data.states);
 }
 
 TEST(DatasetOfTables, IsThatOfFilesWithTheSameColumns) {

@@ -159,6 +159,22 @@ TEST(ReadStream, AStepStandsForTheTime) {
   EXPECT_DOUBLE_EQ(stream.records()[0]->read(140000, 2).time[1], 1400.01);
 }
 
+TEST(ReadStream, DerivativesOfOtherColumnsAreNoStates) {
+  const TemporaryFolder folder;
+  Matrix values(3000, 3);
+  values.col(0) = Vector::LinSpaced(3000, 0.0, 3.0);
+  values.col(1) = (-values.col(0)).array().exp();
+  values.col(2) = -values.col(1);
+  const std::string path = saved(folder, "decay.npy", values);
+  ColumnRoles roles;
+  roles.names = {{"t", "1"}, {"x", "2"}, {"dx", "3"}};
+  const Dataset pieces = read_stream({path}, roles).excerpt(), whole = read_dataset({path}, roles);
+  EXPECT_EQ(names_of(pieces.states), std::vector<std::string>{"x"});
+  EXPECT_EQ(pieces.notes, whole.notes);
+  roles.states = {"x", "dx"};
+  EXPECT_EQ(read_stream({path}, roles).excerpt().state_count(), 2);
+}
+
 TEST(ReadStream, RefusesOtherFilesAndOtherColumns) {
   const TemporaryFolder folder;
   std::ofstream(folder.file("a.npz")) << "PK";

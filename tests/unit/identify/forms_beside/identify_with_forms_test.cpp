@@ -105,26 +105,39 @@ TEST(IdentifyWithForms, FindsForcingAndAFunctionThatAMonomialMultiplies) {
             1e-6);
 }
 
+/// dy/dt of an oscillator, which x, x*y, x^3, y^3 and sin(x) follow closely.
+double with_look_alikes(double x, double y, double) {
+  return 0.8 * std::sin(x) - 0.5 * y * y * y - 0.2 * x * x * x - 0.5 * x * y - x * std::cos(x);
+}
+
+Dataset record_with_look_alikes() {
+  return record_of_equations({{{1.0, "y"}},
+                              {{0.8, "sin(x)"},
+                               {-0.5, "y^3"},
+                               {-0.2, "x^3"},
+                               {-0.5, "x*y"},
+                               {-1.0, "x*cos(x)"}}},
+                             Eigen::Vector2d(0.3, 0.3), 0.01, 3000, 0.0);
+}
+
 TEST(IdentifyWithForms, WhereRatesAreMeasuredATaylorSeriesIsNoAnswer) {
-  const auto force = [](double x, double y, double) {
-    return 0.8 * std::sin(x) - 0.5 * y * y * y - 0.2 * x * x * x - 0.5 * x * y -
-           x * std::cos(x);
-  };
-  Dataset data = record_of_equations({{{1.0, "y"}},
-                                      {{0.8, "sin(x)"},
-                                       {-0.5, "y^3"},
-                                       {-0.2, "x^3"},
-                                       {-0.5, "x*y"},
-                                       {-1.0, "x*cos(x)"}}},
-                                     Eigen::Vector2d(0.3, 0.3), 0.01, 3000, 0.0);
+  Dataset data = record_with_look_alikes();
   Trajectory& record = data.trajectories[0];
   record.derivatives = record.states;
   for (Index i = 0; i < record.samples(); ++i) {
     const double x = record.states(i, 0), y = record.states(i, 1);
-    record.derivatives.row(i) << y, force(x, y, 0.0);
+    record.derivatives.row(i) << y, with_look_alikes(x, y, 0.0);
   }
   const IdentificationResult found = identify_with_forms(data, algorithm1(), kEffects);
-  EXPECT_LT(error_of(found.model, force), 1e-6);
+  EXPECT_LT(error_of(found.model, with_look_alikes), 1e-6);
+}
+
+TEST(IdentifyWithForms, AFunctionTakesThePlaceOfATermOfItsSeries) {
+  const IdentificationResult found =
+      identify_with_forms(record_with_look_alikes(), algorithm1(), kEffects);
+  EXPECT_EQ(terms_of(found.model, 1).size(), 5u);
+  EXPECT_NE(found.model.coefficient(1, "x*cos(x)"), 0.0);
+  EXPECT_LT(error_of(found.model, with_look_alikes), 1e-6);
 }
 
 TEST(IdentifyWithForms, FindsForcingBesideASpringThatHardens) {

@@ -107,6 +107,31 @@ TEST(FormSearch, WhatATaylorSeriesStoodForIsOneComposition) {
   EXPECT_NEAR(found.forms[0].shapes[0], 3.0, 1e-3);
 }
 
+TEST(FormSearch, AFunctionTakesThePlaceOfATermOfItsSeries) {
+  for (const double noise : {0.0, 0.01}) {
+    const Oscillator c("x*cos(x)", noise);
+    const FormSearch search(c.data, c.sigma);
+    const EquationForms series{1, {c.library.terms[1]}, {}};
+    const EquationForms found = search.exchanged(series, composed_forms(*c.scope, 1));
+    EXPECT_TRUE(found.terms.empty());
+    ASSERT_EQ(found.forms.size(), 1u);
+    EXPECT_EQ(found.forms[0].expression().to_string(), "x*cos(x)");
+  }
+}
+
+TEST(FormSearch, ATermThatLeavesOnlyNoiseIsNotExchanged) {
+  for (const double noise : {0.0, 0.01}) {
+    const Oscillator c("x", noise);
+    const FormSearch search(c.data, c.sigma);
+    std::vector<Candidate> candidates = c.candidates();
+    for (Candidate& candidate : composed_forms(*c.scope, 1))
+      candidates.push_back(std::move(candidate));
+    const EquationForms found = search.exchanged({1, {c.library.terms[1]}, {}}, candidates);
+    EXPECT_EQ(found.terms, (std::vector<Term>{c.library.terms[1]}));
+    EXPECT_TRUE(found.forms.empty());
+  }
+}
+
 TEST(FormSearch, ALibraryThatLeavesNoMoreThanNoiseIsLeftAlone) {
   const Oscillator c("x", 0.01);
   const FormSearch search(c.data, c.sigma);
