@@ -151,7 +151,7 @@ std::vector<GreyBox> chaotic() {
       "param s = 10\nparam r = 28\nparam b = 2.7\ndx/dt = s*(y - x)\n"
       "dy/dt = x*(r - z) - y\ndz/dt = x*y - b*z\nX = x\nY = y\nZ = z\n";
   return {{"lorenz, 8", lorenz, {1.0, 2.0, 20.0}, 0.01, 800},
-          {"lorenz, 16", lorenz, {1.0, 2.0, 20.0}, 0.01, 1600},
+          {"lorenz, 12", lorenz, {1.0, 2.0, 20.0}, 0.01, 1200},
           {"rossler, 100",
            "param a = 0.2\nparam b = 0.2\nparam c = 5.7\ndx/dt = -y - z\ndy/dt = x + a*y\n"
            "dz/dt = b + z*(x - c)\nX = x\nY = y\nZ = z\n",
