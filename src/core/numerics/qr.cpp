@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "core/base/check.hpp"
+#include "core/numerics/column_kernels.hpp"
 
 namespace lacuna {
 namespace {
@@ -13,11 +14,6 @@ namespace {
 using PivotedFactor = Eigen::ColPivHouseholderQR<Matrix>;
 
 bool is_empty(const PivotedFactor& factor) { return factor.rows() == 0 || factor.cols() == 0; }
-
-/// Whether nothing is decomposed, so that Q is the identity.
-bool is_void(const PivotedFactor& factor) {
-  return is_empty(factor) || !factor.matrixQR().allFinite();
-}
 
 double void_solution(const PivotedFactor& factor) {
   return is_empty(factor) ? 0.0 : std::numeric_limits<double>::quiet_NaN();
@@ -72,17 +68,19 @@ PivotedQr::PivotedQr(const Matrix& a, std::optional<double> fraction)
     : factor_(a.rows(), a.cols()) {
   if (fraction) factor_.setThreshold(*fraction);
   if (a.size() > 0) factor_.compute(a);
+  void_ =
+      is_empty(factor_) || !is_finite(factor_.matrixQR().data(), factor_.matrixQR().size());
 }
 
-Index PivotedQr::rank() const { return is_void(factor_) ? 0 : factor_.rank(); }
+Index PivotedQr::rank() const { return void_ ? 0 : factor_.rank(); }
 
 Vector PivotedQr::pivots() const {
-  if (is_void(factor_)) return Vector::Zero(std::min(factor_.rows(), factor_.cols()));
+  if (void_) return Vector::Zero(std::min(factor_.rows(), factor_.cols()));
   return factor_.matrixQR().diagonal().cwiseAbs();
 }
 
 std::vector<Index> PivotedQr::order() const {
-  if (is_void(factor_)) {
+  if (void_) {
     std::vector<Index> order(static_cast<std::size_t>(factor_.cols()));
     std::iota(order.begin(), order.end(), Index{0});
     return order;
@@ -92,13 +90,13 @@ std::vector<Index> PivotedQr::order() const {
 }
 
 Matrix PivotedQr::basis() const {
-  if (is_void(factor_)) return Matrix(factor_.rows(), 0);
+  if (void_) return Matrix(factor_.rows(), 0);
   return factor_.householderQ() * Matrix::Identity(factor_.rows(), rank());
 }
 
 Matrix PivotedQr::complement() const {
   const Index n = factor_.rows();
-  if (is_void(factor_)) return Matrix::Identity(n, n);
+  if (void_) return Matrix::Identity(n, n);
   return factor_.householderQ() * Matrix::Identity(n, n).rightCols(n - rank());
 }
 
@@ -111,20 +109,20 @@ Matrix PivotedQr::inverse_triangle() const {
 
 Vector PivotedQr::transposed_times(const Vector& b) const {
   check_qr_rows(factor_.rows(), b.rows());
-  if (is_void(factor_)) return b;
+  if (void_) return b;
   return factor_.householderQ().adjoint() * b;
 }
 
 Matrix PivotedQr::solve(const Matrix& b) const {
   check_qr_rows(factor_.rows(), b.rows());
-  if (is_void(factor_))
+  if (void_)
     return Matrix::Constant(factor_.cols(), b.cols(), void_solution(factor_));
   return factor_.solve(b);
 }
 
 Vector PivotedQr::solve(const Vector& b) const {
   check_qr_rows(factor_.rows(), b.rows());
-  if (is_void(factor_)) return Vector::Constant(factor_.cols(), void_solution(factor_));
+  if (void_) return Vector::Constant(factor_.cols(), void_solution(factor_));
   return factor_.solve(b);
 }
 

@@ -72,6 +72,7 @@ class PivotedQr {
 
  private:
   Eigen::ColPivHouseholderQR<Matrix> factor_;
+  bool void_;  ///< whether nothing is decomposed, so that Q is the identity
 };
 
 /// Orthonormal columns with the range of A, whatever the lengths of its columns; none where an

@@ -26,15 +26,17 @@ SampledSignal::SampledSignal(Vector time, const Eigen::Ref<const Vector>& values
     : time_(checked_times(std::move(time), values.size())),
       points_(std::min(static_cast<Index>(interpolation), time_.size())),
       before_((static_cast<Index>(interpolation) - 1) / 2),
-      differences_(Matrix::Zero(points_, time_.size())) {
+      differences_(points_, time_.size()) {
   const Index n = time_.size();
   Vector order = values;
   differences_.row(0) = order.transpose();
   for (Index k = 1; k < points_; ++k) {
-    order = ((order.segment(1, n - k) - order.head(n - k)).array() /
-             (time_.tail(n - k) - time_.head(n - k)).array())
-                .eval();
-    differences_.row(k).head(n - k) = order.transpose();
+    double* out = differences_.data() + k;
+    for (Index i = 0; i < n - k; ++i) {
+      order[i] = (order[i + 1] - order[i]) / (time_[i + k] - time_[i]);
+      out[i * points_] = order[i];
+    }
+    differences_.row(k).tail(k).setZero();
   }
 }
 

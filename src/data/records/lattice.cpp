@@ -28,9 +28,15 @@ std::vector<double> distinct_values(const Dataset& data, Index state) {
 /// is as fine as the digits of doubles.
 std::optional<double> common_spacing(std::vector<double> gaps, double smallest) {
   constexpr double kRounding = 1e-3;  // a fact of printed digits: fraction of q
-  std::sort(gaps.begin(), gaps.end());
+  // A fact of the search: among noisy values it ends after a few gaps, so that only so many are
+  // put in order at first.
+  constexpr std::size_t kFirst = 256;
+  const auto count = static_cast<std::ptrdiff_t>(std::min(kFirst, gaps.size()));
+  const auto rest_of_gaps = gaps.begin() + count;
+  std::partial_sort(gaps.begin(), rest_of_gaps, gaps.end());
   double spacing = gaps.front();
   for (std::size_t i = 1; i < gaps.size() && spacing > smallest; ++i) {
+    if (i == kFirst) std::sort(rest_of_gaps, gaps.end());
     double rest = std::abs(std::remainder(gaps[i], spacing));
     const double limit = kRounding * spacing;
     if (rest <= limit) spacing = gaps[i] / std::round(gaps[i] / spacing);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <string>
 
+#include "core/base/check.hpp"
 #include "core/numerics/column_kernels.hpp"
 #include "lacuna/core/base/error.hpp"
 #include "operations.hpp"
@@ -11,9 +12,6 @@
 
 namespace lacuna {
 namespace {
-
-/// Rows of a block: a register of a block is 1 KiB, so dozens of them stay in the first cache.
-constexpr Index kBlockRows = 128;
 
 /// Runs equal instructions on single values.
 template <class Instruction>
@@ -35,47 +33,72 @@ struct ScalarRun {
   }
 };
 
-/// Runs equal instructions on blocks of rows; the inner loops are what the compiler vectorises.
-template <class Instruction>
-struct BlockRun {
-  std::span<const Instruction> instructions;
+/// Registers wherever they are.
+struct PlacedRegisters {
   const double* const* sources;
   double* const* targets;
+
+  const double* source(int place) const { return sources[place]; }
+  double* target(int place) const { return targets[place]; }
+};
+
+/// Registers one behind the other.
+struct StackedRegisters {
+  double* first;
+  Index rows;
+
+  const double* source(int place) const { return first + place * rows; }
+  double* target(int place) const { return first + place * rows; }
+};
+
+/// Runs equal instructions on blocks of rows; the inner loops are what the compiler vectorises.
+template <class Instruction, class Registers>
+struct BlockRun {
+  std::span<const Instruction> instructions;
+  Registers registers;
   Index rows;
 
   template <class F>
   void unary(F f) const {
     for (const Instruction& i : instructions) {
-      const double* a = sources[i.a];
-      double* __restrict out = targets[i.target];
+      const double* a = registers.source(i.a);
+      double* __restrict out = registers.target(i.target);
       for (Index row = 0; row < rows; ++row) out[row] = f(a[row]);
     }
   }
   template <class F>
   void binary(F f) const {
     for (const Instruction& i : instructions) {
-      const double* a = sources[i.a];
-      const double* b = sources[i.b];
-      double* __restrict out = targets[i.target];
+      const double* a = registers.source(i.a);
+      const double* b = registers.source(i.b);
+      double* __restrict out = registers.target(i.target);
       for (Index row = 0; row < rows; ++row) out[row] = f(a[row], b[row]);
     }
   }
   /// What most of a library is made of.
   void products() const {
     for (const Instruction& i : instructions)
-      multiply(sources[i.a], sources[i.b], rows, targets[i.target]);
+      multiply(registers.source(i.a), registers.source(i.b), rows, registers.target(i.target));
   }
   template <class F>
   void ternary(F f) const {
     for (const Instruction& i : instructions) {
-      const double* a = sources[i.a];
-      const double* b = sources[i.b];
-      const double* c = sources[i.c];
-      double* __restrict out = targets[i.target];
+      const double* a = registers.source(i.a);
+      const double* b = registers.source(i.b);
+      const double* c = registers.source(i.c);
+      double* __restrict out = registers.target(i.target);
       for (Index row = 0; row < rows; ++row) out[row] = f(a[row], b[row], c[row]);
     }
   }
 };
+
+template <class Instruction, class Registers>
+void run_equal(Operation operation, const BlockRun<Instruction, Registers>& block) {
+  if (operation == Operation::Multiply)
+    block.products();
+  else
+    with_function(operation, block);
+}
 
 void check_shapes(const Program& program, const Eigen::Ref<const Matrix>& slots,
                   const Eigen::Ref<Matrix>& out) {
@@ -139,6 +162,40 @@ void Program::evaluate(const Eigen::Ref<const Matrix>& slots, Eigen::Ref<Matrix>
     evaluate_block(slots, out, first, std::min(kBlockRows, rows - first), workspace);
 }
 
+Program::Block::Block(const Program& program, Index rows)
+    : registers_(program.register_count_ * static_cast<std::size_t>(rows)), rows_(rows) {
+  int place = static_cast<int>(program.slot_count_);
+  for (const double constant : program.constants_) std::fill_n(at(place++), rows, constant);
+}
+
+void Program::evaluate(const Eigen::Ref<const Matrix>& slots, Block& block) const {
+  // Every instruction depends on a slot: what numbers alone give is a number of the program.
+  constexpr SlotSet kAll = ~SlotSet{0};
+  block.evaluated_ = true;
+  evaluate_changed(slots, kAll, block);
+}
+
+void Program::evaluate_changed(const Eigen::Ref<const Matrix>& slots, SlotSet changed,
+                               Block& block) const {
+  check_argument(slots.cols() == slot_count_ && slots.rows() == block.rows_,
+                 "Program::evaluate", "the slots are not those of the points of the block");
+  check_argument(block.evaluated_, "Program::evaluate_changed",
+                 "the block has not been evaluated", "evaluate() it first");
+  for (Index slot = 0; slot < slot_count_; ++slot)
+    if ((slot_set(slot) & changed) != 0)
+      std::copy_n(slots.col(slot).data(), block.rows_, block.at(static_cast<int>(slot)));
+  const StackedRegisters registers{block.registers_.data(), block.rows_};
+  const std::span<const Instruction> all(instructions_);
+  for (const Run& same : runs_)
+    for (std::size_t begin = same.begin, end = begin; begin < same.end; begin = end) {
+      const bool wanted = (depends_[begin] & changed) != 0;
+      while (end < same.end && ((depends_[end] & changed) != 0) == wanted) ++end;
+      if (wanted)
+        run_equal(same.operation, BlockRun<Instruction, StackedRegisters>{
+                                      all.subspan(begin, end - begin), registers, block.rows_});
+    }
+}
+
 /// Gives every register its block; slots and written outputs get theirs block by block.
 void Program::prepare(Workspace& workspace, Index rows) const {
   const auto slot_count = static_cast<std::size_t>(slot_count_);
@@ -165,14 +222,11 @@ void Program::evaluate_block(const Eigen::Ref<const Matrix>& slots, Eigen::Ref<M
         out.col(output.column).data() + first;
   }
   const std::span<const Instruction> all(instructions_);
-  for (const Run& run : runs_) {
-    const BlockRun<Instruction> block{all.subspan(run.begin, run.end - run.begin),
-                                      workspace.sources.data(), workspace.targets.data(), rows};
-    if (run.operation == Operation::Multiply)
-      block.products();
-    else
-      with_function(run.operation, block);
-  }
+  const PlacedRegisters registers{workspace.sources.data(), workspace.targets.data()};
+  for (const Run& same : runs_)
+    run_equal(same.operation, BlockRun<Instruction, PlacedRegisters>{
+                                  all.subspan(same.begin, same.end - same.begin), registers,
+                                  rows});
   for (const Output& output : copied_)
     std::copy_n(workspace.sources[static_cast<std::size_t>(output.source)], rows,
                 out.col(output.column).data() + first);

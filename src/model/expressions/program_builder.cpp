@@ -123,6 +123,18 @@ std::vector<bool> needed_values(const std::vector<ProgramValue>& values,
   return needed;
 }
 
+/// Slots that each value depends on.
+std::vector<Program::SlotSet> dependences(const std::vector<ProgramValue>& values) {
+  std::vector<Program::SlotSet> depends(values.size(), 0);
+  for (std::size_t i = 0; i < values.size(); ++i)
+    if (values[i].operation == Operation::Variable)
+      depends[i] = Program::slot_set(values[i].operands[0]);
+    else if (!values[i].is_leaf())
+      for (const int operand : values[i].operands)
+        depends[i] |= depends[static_cast<std::size_t>(operand)];
+  return depends;
+}
+
 /// Depth of each value: 0 for leaves, else one more than that of its deepest operand.
 std::vector<int> levels(const std::vector<ProgramValue>& values) {
   std::vector<int> levels(values.size(), 0);
@@ -190,6 +202,7 @@ std::vector<int> ProgramBuilder::leaf_registers(Program& program,
 /// Writes the operations in their order and gives each the next register.
 void ProgramBuilder::emit(Program& program, const std::vector<ProgramValue>& values,
                           const std::vector<int>& order, std::vector<int>& registers) {
+  const std::vector<Program::SlotSet> depends = dependences(values);
   const auto reg = [&](int value) { return registers[static_cast<std::size_t>(value)]; };
   program.register_count_ =
       static_cast<std::size_t>(program.slot_count_) + program.constants_.size();
@@ -203,6 +216,7 @@ void ProgramBuilder::emit(Program& program, const std::vector<ProgramValue>& val
     program.runs_.back().end = position + 1;
     program.instructions_.push_back(
         {target, reg(value.operands[0]), reg(value.operands[1]), reg(value.operands[2])});
+    program.depends_.push_back(depends[static_cast<std::size_t>(index)]);
   }
 }
 

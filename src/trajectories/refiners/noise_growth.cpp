@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <utility>
 
 #include "core/base/parallel.hpp"
@@ -38,11 +37,16 @@ Group group_of(const Vector& signal, const Vector& sizes, const Index* first,
 /// Groups of the same number of samples, by rising size of the signal.
 std::vector<Group> groups_by_level(const SizedDifferences& differences, Index count) {
   const Vector& signal = differences.signal;
-  std::vector<Index> order(static_cast<std::size_t>(signal.size()));
-  std::iota(order.begin(), order.end(), Index{0});
-  std::stable_sort(order.begin(), order.end(),
-                   [&](Index a, Index b) { return std::abs(signal[a]) < std::abs(signal[b]); });
   const Index n = signal.size();
+  // Sizes stand beside their places: a sort that looks them up waits for memory.
+  std::vector<std::pair<double, Index>> sizes;
+  sizes.reserve(static_cast<std::size_t>(n));
+  for (Index i = 0; i < n; ++i) sizes.emplace_back(std::abs(signal[i]), i);
+  std::stable_sort(sizes.begin(), sizes.end(),
+                   [](const auto& a, const auto& b) { return a.first < b.first; });
+  std::vector<Index> order;
+  order.reserve(sizes.size());
+  for (const auto& [size, place] : sizes) order.push_back(place);
   std::vector<Group> groups;
   for (Index g = 0; g < count; ++g)
     groups.push_back(group_of(signal, differences.sizes, order.data() + n * g / count,

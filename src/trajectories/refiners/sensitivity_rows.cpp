@@ -43,18 +43,24 @@ void take_step(const WindowRates& rates, const std::vector<ColumnBlock>& blocks,
   const Index m = rows.now.cols();
   const Matrix& offsets = rates.offsets();
   rows.step.compute(rates.jacobians().middleCols(node, 3), m, length);
+  const auto& [whole, first, middle, last] = rows.step;
   if (m > kFewStates)
-    rows.next.noalias() = rows.now * rows.step.whole.transpose();
+    rows.next.noalias() = rows.now * whole.transpose();
   else
     for (Index k = 0; k < m; ++k) {
-      rows.next.col(k) = rows.step.whole(k, 0) * rows.now.col(0);
-      for (Index j = 1; j < m; ++j) rows.next.col(k) += rows.step.whole(k, j) * rows.now.col(j);
+      rows.next.col(k) = whole(k, 0) * rows.now.col(0);
+      for (Index j = 1; j < m; ++j) rows.next.col(k) += whole(k, j) * rows.now.col(j);
     }
   for (const ColumnBlock& block : blocks) add_forcing(rates.theta(), block, node, rows);
-  rows.next.bottomRows(1) +=
-      (rows.step.first * offsets.col(node) + rows.step.middle * offsets.col(node + 1) +
-       rows.step.last * offsets.col(node + 2))
-          .transpose();
+  if (m > kFewStates)
+    rows.next.bottomRows(1) += (first * offsets.col(node) + middle * offsets.col(node + 1) +
+                                last * offsets.col(node + 2))
+                                   .transpose();
+  else  // the same sums, without memory for each product
+    rows.next.bottomRows(1) +=
+        (first.lazyProduct(offsets.col(node)) + middle.lazyProduct(offsets.col(node + 1)) +
+         last * offsets.col(node + 2))
+            .transpose();
   rows.now.swap(rows.next);
 }
 

@@ -2,7 +2,6 @@
 #include "lacuna/trajectories/sensitivities/linearised_record.hpp"
 
 #include <algorithm>
-#include <numeric>
 #include <optional>
 #include <utility>
 
@@ -110,6 +109,24 @@ Matrix switching_density(const std::vector<Quantity>& inputs, const StepSlots& s
   return density;
 }
 
+/// Ends of all steps; those that were tried before are known.
+Matrix ends_of_all(const Rates& rates, const StepSlots& slots, const FoundParts& found,
+                   const Matrix& node_rates) {
+  Matrix ends(slots.steps(), slots.states);
+  std::vector<Index> others, begins;
+  std::size_t next = 0;
+  for (Index i = 0; i < slots.steps(); ++i)
+    if (next < found.tried.size() && found.tried[next] == i) {
+      ends.row(i) = found.ends.row(static_cast<Index>(next++));
+    } else {
+      others.push_back(i);
+      begins.push_back(slots.grid.begin(i));
+    }
+  ends(others, Eigen::all) = ends_of_steps(rates, slots, others, node_rates(begins, Eigen::all),
+                                           found.parts.front());
+  return ends;
+}
+
 /// The steps of a stiff model: slopes are those at the path, because what is fast decays within
 /// a step and does not take the state far from there.
 struct StiffSteps {
@@ -123,7 +140,7 @@ std::optional<StiffSteps> stiff_steps(Rates& rates, const StepSlots& slots,
   if (*std::max_element(parts.begin(), parts.end()) < kMostParts) return std::nullopt;
   StiffSteps found;
   const Vector none = Vector::Zero(slots.nodes.rows());
-  found.slopes = secant_slopes(rates, slots.nodes, none, accuracy);
+  found.slopes = secant_slopes(rates, slots.nodes, none, accuracy).slopes;
   if (!has_stiff_steps(found.slopes, slots.grid, length)) return std::nullopt;
   std::optional<Matrix> ends = implicit_ends(rates, slots, accuracy);
   if (!ends) return std::nullopt;
@@ -143,29 +160,27 @@ LinearisedRecord linearise(const OdeModel& model, const Trajectory& record, cons
   LinearisedRecord result = grid_of(model.inputs(), record, path);
   Rates rates(model);
   const StepSlots slots(with_delays(result, rates.delays()), m, rates.delays(), result.grid);
-  const std::vector<int> parts =
+  const FoundParts found =
       parts_for(rates, slots, {accuracy, accuracy_of_variations(result.range, accuracy)});
+  const int parts = found.parts[1];  // for variations
   const Vector length =
       record.time.tail(result.samples() - 1) - record.time.head(result.samples() - 1);
-  Matrix slopes =
-      secant_slopes(rates, slots.nodes, part_lengths(length, result.grid, parts[1]), accuracy);
+  SecantSlopes secants =
+      secant_slopes(rates, slots.nodes, part_lengths(length, result.grid, parts), accuracy);
   StepResponses responses;
-  if (std::optional<StiffSteps> stiff = stiff_steps(rates, slots, length, accuracy, parts)) {
+  if (std::optional<StiffSteps> stiff = stiff_steps(rates, slots, length, accuracy, found.parts)) {
     result.defect = (stiff->ends - path.bottomRows(path.rows() - 1)).transpose();
-    slopes = std::move(stiff->slopes);
+    secants.slopes = std::move(stiff->slopes);
     responses = std::move(stiff->responses);
   } else {
-    std::vector<Index> steps(static_cast<std::size_t>(record.samples() - 1));
-    std::iota(steps.begin(), steps.end(), Index{0});
-    result.defect =
-        (ends_of_steps(rates, slots, steps, parts[0]) - path.bottomRows(path.rows() - 1))
-            .transpose();
-    responses = step_responses(slopes, result.grid, length, {m, parts[1]});
+    const Matrix ends = ends_of_all(rates, slots, found, secants.rates);
+    result.defect = (ends - path.bottomRows(path.rows() - 1)).transpose();
+    responses = step_responses(secants.slopes, result.grid, length, {m, parts});
   }
   result.transition = std::move(responses.transition);
   result.response = std::move(responses.response);
   result.bridge = switching_density(model.inputs(), slots, rates);
-  see_through(model.states(), rates, slots, slopes, result);
+  see_through(model.states(), rates, slots, secants.slopes, result);
   return result;
 }
 

@@ -131,6 +131,22 @@ void Rates::rate(const Eigen::Ref<const Matrix>& slots, Eigen::Ref<Matrix> f) {
   rate_sums_.apply(values, f);
 }
 
+void Rates::rate(const Eigen::Ref<const Matrix>& slots, Program::Block& block,
+                 Eigen::Ref<Matrix> f) const {
+  rate_.evaluate(slots, block);
+  add_up(block, f);
+}
+
+void Rates::rate_changed(const Eigen::Ref<const Matrix>& slots, Program::SlotSet changed,
+                         Program::Block& block, Eigen::Ref<Matrix> f) const {
+  rate_.evaluate_changed(slots, changed, block);
+  add_up(block, f);
+}
+
+void Rates::add_up(const Program::Block& block, Eigen::Ref<Matrix> f) const {
+  rate_sums_.apply([&](Index value) { return rate_.output(value, block); }, f);
+}
+
 void Rates::rate(const double* slots, double* f) {
   rate_.evaluate(slots, point_values_.data(), workspace_);
   rate_sums_.apply(point_values_.data(), f);

@@ -41,6 +41,17 @@ class Rates {
   void rate(const Eigen::Ref<const Matrix>& slots, Eigen::Ref<Matrix> f);
   void rate(const double* slots, double* f);
 
+  /// Room for the rates at so many points, at best no more than Program::kBlockRows.
+  Program::Block block(Index rows) const { return {rate_, rows}; }
+
+  /// f at the points of a block, which keeps all that it is made of.
+  void rate(const Eigen::Ref<const Matrix>& slots, Program::Block& block,
+            Eigen::Ref<Matrix> f) const;
+
+  /// The same, to the bit, where only these slots have changed since the block's last rates.
+  void rate_changed(const Eigen::Ref<const Matrix>& slots, Program::SlotSet changed,
+                    Program::Block& block, Eigen::Ref<Matrix> f) const;
+
   /// Places of df/dx (m x m) that are not always zero, and of df/dp (m x columns()).
   const std::vector<MatrixPlace>& jacobian_places() { return compiled().jacobian.places; }
   const std::vector<MatrixPlace>& column_places() { return compiled().columns.places; }
@@ -59,6 +70,7 @@ class Rates {
   struct TermColumn {
     Index equation, summand;
   };
+  void add_up(const Program::Block& block, Eigen::Ref<Matrix> f) const;
   Derivatives& compiled();
   Derivatives compile() const;
   void set_weights(Derivatives& derivatives) const;

@@ -12,24 +12,26 @@
 namespace lacuna {
 namespace {
 
-/// Steps that are done together and stay in cache.
-constexpr std::size_t kBlock = 256;
-
 /// A block of steps on its way from their begins to their ends.
 class StepBlock {
  public:
-  StepBlock(Rates& rates, const StepSlots& slots, std::span<const Index> steps)
+  /// @param begin_rates of the model where the steps begin.
+  StepBlock(const Rates& rates, const StepSlots& slots, std::span<const Index> steps,
+            const Eigen::Ref<const Matrix>& begin_rates)
       : rates_(rates),
         slots_(slots),
         steps_(steps),
         point_(static_cast<Index>(steps.size()), slots.nodes.cols()),
         length_(point_.rows()),
-        slope_(point_.rows(), slots.states) {
+        slope_(point_.rows(), slots.states),
+        block_(rates.block(point_.rows())) {
     for (Index row = 0; row < point_.rows(); ++row) {
       const Index i = step_at(row);
       point_.row(row) = slots.nodes.row(slots.grid.begin(i));
       length_[row] = slots.length(i);
+      slope_.row(row) = begin_rates.row(row);
     }
+    for (Index k = 0; k < slots.states; ++k) all_states_ |= Program::slot_set(k);
     state_ = point_.leftCols(slots.states);
   }
 
@@ -49,11 +51,24 @@ class StepBlock {
       if (stage > 0)
         point_.leftCols(slots_.states) +=
             (kNode[stage] / parts * length_).asDiagonal() * slope_;
-      if (stage != 2) set_driven((part + kNode[stage]) / parts);
-      rates_.rate(point_, slope_);
+      find_slope(part, parts, stage, kNode[stage]);
       sum += kWeight[stage] * slope_;
     }
     state_ += (length_ / (6.0 * parts)).asDiagonal() * sum;
+  }
+
+  /// The rates of a stage. Those at the begin are there already; the second stage in the middle
+  /// and the first one of a later part are where the stage before was, with other states.
+  void find_slope(int part, int parts, std::size_t stage, double node) {
+    const bool is_there = part == 0 && stage == 0;
+    const bool only_states = stage == 2 || (stage == 0 && !is_there);
+    if (is_there) return;
+    if (only_states) {
+      rates_.rate_changed(point_, all_states_, block_, slope_);
+      return;
+    }
+    set_driven((part + node) / parts);
+    rates_.rate(point_, block_, slope_);
   }
 
   /// Inputs, t and delayed variables at the fraction `s` of the steps.
@@ -65,12 +80,14 @@ class StepBlock {
         point_(row, column) = slots_.driven(step_at(row), column, weight, cubic);
   }
 
-  Rates& rates_;
+  const Rates& rates_;
   const StepSlots& slots_;
   std::span<const Index> steps_;
   Matrix point_;
   Vector length_;
   Matrix slope_, state_;
+  Program::Block block_;
+  Program::SlotSet all_states_ = 0;
 };
 
 }  // namespace
@@ -96,38 +113,57 @@ StepSlots::StepSlots(Matrix slots, Index state_count,
   }
 }
 
-Matrix ends_of_steps(Rates& rates, const StepSlots& slots, const std::vector<Index>& steps,
-                     int parts) {
+Matrix rates_at_begins(Rates& rates, const StepSlots& slots, const std::vector<Index>& steps) {
+  Matrix points(static_cast<Index>(steps.size()), slots.nodes.cols());
+  for (Index row = 0; row < points.rows(); ++row)
+    points.row(row) = slots.nodes.row(slots.grid.begin(steps[static_cast<std::size_t>(row)]));
+  Matrix f(points.rows(), slots.states);
+  rates.rate(points, f);
+  return f;
+}
+
+Matrix ends_of_steps(const Rates& rates, const StepSlots& slots,
+                     const std::vector<Index>& steps, const Matrix& begin_rates, int parts) {
+  constexpr auto kBlock = static_cast<std::size_t>(Program::kBlockRows);
   Matrix ends(static_cast<Index>(steps.size()), slots.states);
   const std::span<const Index> all(steps);
-  for (std::size_t first = 0; first < steps.size(); first += kBlock) {
-    const auto block = all.subspan(first, std::min(kBlock, steps.size() - first));
-    ends.middleRows(static_cast<Index>(first), static_cast<Index>(block.size())) =
-        StepBlock(rates, slots, block).run(parts);
+  for (std::size_t begin = 0; begin < steps.size(); begin += kBlock) {
+    const auto block = all.subspan(begin, std::min(kBlock, steps.size() - begin));
+    const auto first = static_cast<Index>(begin), count = static_cast<Index>(block.size());
+    ends.middleRows(first, count) =
+        StepBlock(rates, slots, block, begin_rates.middleRows(first, count)).run(parts);
   }
   return ends;
 }
 
-std::vector<int> parts_for(Rates& rates, const StepSlots& slots,
-                           const std::vector<Vector>& accuracies) {
+Matrix ends_of_steps(Rates& rates, const StepSlots& slots, const std::vector<Index>& steps,
+                     int parts) {
+  return ends_of_steps(rates, slots, steps, rates_at_begins(rates, slots, steps), parts);
+}
+
+FoundParts parts_for(Rates& rates, const StepSlots& slots,
+                     const std::vector<Vector>& accuracies) {
   constexpr Index kTried = 400;
   const Index count = slots.steps();
-  std::vector<Index> steps;
-  for (Index i = 0; i < count; i += std::max<Index>(1, count / kTried)) steps.push_back(i);
-  std::vector<int> found(accuracies.size(), kMostParts);
-  std::size_t open = found.size();
-  Matrix coarse = ends_of_steps(rates, slots, steps, 1);
+  FoundParts found{std::vector<int>(accuracies.size(), kMostParts), {}, {}};
+  for (Index i = 0; i < count; i += std::max<Index>(1, count / kTried))
+    found.tried.push_back(i);
+  const Matrix begin_rates = rates_at_begins(rates, slots, found.tried);
+  std::size_t open = found.parts.size();
+  Matrix coarse = ends_of_steps(rates, slots, found.tried, begin_rates, 1);
   for (int parts = 1; parts < kMostParts && open > 0; parts *= 2) {
-    Matrix fine = ends_of_steps(rates, slots, steps, 2 * parts);
+    Matrix fine = ends_of_steps(rates, slots, found.tried, begin_rates, 2 * parts);
     const Vector error = (coarse - fine).cwiseAbs().colwise().maxCoeff();
-    for (std::size_t a = 0; a < found.size(); ++a) {
-      if (found[a] < kMostParts || !(error.array() <= 0.1 * accuracies[a].array()).all())
+    for (std::size_t a = 0; a < accuracies.size(); ++a) {
+      if (found.parts[a] < kMostParts || !(error.array() <= 0.1 * accuracies[a].array()).all())
         continue;
-      found[a] = parts;
+      found.parts[a] = parts;
       --open;
     }
+    if (found.parts.front() == parts) found.ends = coarse;
     coarse = std::move(fine);
   }
+  if (found.parts.front() == kMostParts) found.ends = std::move(coarse);
   return found;
 }
 

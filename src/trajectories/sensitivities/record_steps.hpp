@@ -49,10 +49,22 @@ constexpr int kMostParts = 32;
 Matrix ends_of_steps(Rates& rates, const StepSlots& slots, const std::vector<Index>& steps,
                      int parts);
 
+/// The same where the rates at the begins are known.
+/// @param begin_rates one row for each of `steps`.
+Matrix ends_of_steps(const Rates& rates, const StepSlots& slots,
+                     const std::vector<Index>& steps, const Matrix& begin_rates, int parts);
+
+/// Parts of a step, and what was tried to find them.
+struct FoundParts {
+  std::vector<int> parts;    ///< for each of the accuracies
+  std::vector<Index> tried;  ///< steps, in their order
+  Matrix ends;               ///< of these with the first of `parts`
+};
+
 /// Parts of a step that leave an error of less than a tenth of each of several accuracies (an
 /// entry for each state), powers of two up to 32; a sample of the steps decides.
-std::vector<int> parts_for(Rates& rates, const StepSlots& slots,
-                           const std::vector<Vector>& accuracies);
+FoundParts parts_for(Rates& rates, const StepSlots& slots,
+                     const std::vector<Vector>& accuracies);
 
 /// Number of states, and of parts in which a step is done.
 struct StepSize {

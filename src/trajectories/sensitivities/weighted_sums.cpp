@@ -25,6 +25,11 @@ void WeightedSums::set(const Eigen::Ref<const Vector>& parameters) {
 }
 
 void WeightedSums::apply(const Eigen::Ref<const Matrix>& values, Eigen::Ref<Matrix> out) const {
+  apply([&](Index value) { return values.col(value).data(); }, out);
+}
+
+void WeightedSums::apply(FunctionRef<const double*(Index)> column_of,
+                         Eigen::Ref<Matrix> out) const {
   std::size_t i = 0;
   for (std::size_t sum = 0; sum < ends_.size(); ++sum) {
     auto column = out.col(static_cast<Index>(sum));
@@ -32,10 +37,11 @@ void WeightedSums::apply(const Eigen::Ref<const Matrix>& values, Eigen::Ref<Matr
     for (; i < ends_[sum]; ++i) {
       const Summand& s = summands_[i];
       if (s.weight == 0.0) continue;
+      const Eigen::Map<const Vector> values(column_of(s.value), out.rows());
       if (empty)
-        column = s.weight * values.col(s.value);
+        column = s.weight * values;
       else
-        column += s.weight * values.col(s.value);
+        column += s.weight * values;
       empty = false;
     }
     if (empty) column.setZero();

@@ -5,6 +5,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "lacuna/core/base/function_ref.hpp"
 #include "lacuna/core/base/types.hpp"
 #include "lacuna/model/expressions/expression.hpp"
 
@@ -45,6 +46,10 @@ class WeightedSums {
   /// out(:, i) = sum i of the columns of values. Values with weight 0 may be anything.
   void apply(const Eigen::Ref<const Matrix>& values, Eigen::Ref<Matrix> out) const;
   void apply(const double* values, double* out) const;
+
+  /// The same of values that stand column by column anywhere: `column` gives the out.rows()
+  /// values of a number.
+  void apply(FunctionRef<const double*(Index)> column, Eigen::Ref<Matrix> out) const;
 
  private:
   struct Summand {

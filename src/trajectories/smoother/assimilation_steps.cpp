@@ -61,36 +61,32 @@ std::vector<Matrix> corrected_channels(const Assimilation& state, const Dataset&
   return measured;
 }
 
-/// How the rate of an equation changes with its free coefficients, at the nodes of a record's
-/// steps; empty where none of them is free.
-Vector rate_change(const Assimilation& state, const LinearisedRecord& record, Index equation,
-                   const Vector& change) {
-  const Equation& terms = state.model.equations()[static_cast<std::size_t>(equation)];
-  std::vector<Expression> formulas;
-  std::vector<double> changes;
-  for (std::size_t j = 0; j < state.free.size(); ++j) {
-    if (state.free[j].equation != equation) continue;
-    formulas.push_back(terms[static_cast<std::size_t>(state.free[j].term)].term.expression());
-    changes.push_back(change[static_cast<Index>(j)]);
-  }
-  if (formulas.empty()) return {};
-  return evaluate_on(record, state.model.variables(), formulas) *
-         Eigen::Map<const Vector>(changes.data(), static_cast<Index>(changes.size()));
+/// Changes of the free coefficients of an equation.
+Vector changes_of(const Assimilation& state, Index equation, const Vector& change) {
+  std::vector<double> own;
+  for (std::size_t j = 0; j < state.free.size(); ++j)
+    if (state.free[j].equation == equation) own.push_back(change[static_cast<Index>(j)]);
+  return Eigen::Map<const Vector>(own.data(), static_cast<Index>(own.size()));
 }
 
 /// What new coefficients predict beyond the path, to first order, so that the records need not
 /// be linearised again for them.
-void shift_defects(Assimilation& state, const Vector& change) {
+/// @param terms of the free coefficients of each equation.
+void shift_defects(Assimilation& state, const std::vector<TermValues>& terms,
+                   const Vector& change) {
   const Index m = state.noise.states();
-  for (LinearisedRecord& record : state.records)
+  for (std::size_t r = 0; r < state.records.size(); ++r) {
+    LinearisedRecord& record = state.records[r];
     for (Index k = 0; k < m; ++k) {
-      const Vector rate = rate_change(state, record, k, change);
-      if (rate.size() == 0) continue;
+      const TermValues& along = terms[static_cast<std::size_t>(k)];
+      if (along.empty()) continue;
+      const Vector rate = along[r] * changes_of(state, k, change);
       for (Index i = 0; i < record.steps(); ++i) {
         const Eigen::Map<const Matrix> w(record.response.col(i).data() + 3 * m * k, m, 3);
         record.defect.col(i) += w.lazyProduct(rate.segment<3>(record.grid.begin(i)));
       }
     }
+  }
 }
 
 /// Everything that is fitted, moved as far as the records determine it.
@@ -173,7 +169,8 @@ Assimilation with_fitted_coefficients(const AssimilationTask& task, Assimilation
   const InnovationSystem system(state);
   state.deviance = system.deviance();
   state.used = system.used();
-  const Matrix columns = system.fitted_columns();
+  const std::vector<TermValues> terms = system.free_terms();
+  const Matrix columns = system.fitted_columns(terms);
   if (columns.cols() == 0) return state;
   Matrix normal = columns.transpose() * columns;
   Vector right = columns.transpose() * system.innovations();
@@ -191,7 +188,7 @@ Assimilation with_fitted_coefficients(const AssimilationTask& task, Assimilation
   if (!change.allFinite()) return state;
   state.deviance -= change.dot(right);
   const auto free = static_cast<Index>(state.free.size());
-  shift_defects(state, change.head(free));
+  shift_defects(state, terms, change.head(free));
   state.model = with_coefficients(state.model, state.free, change);
   for (std::size_t j = 0; j < state.channel_terms.size(); ++j)
     state.channel_terms[j].coefficient += change[free + static_cast<Index>(j)];

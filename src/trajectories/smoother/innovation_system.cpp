@@ -36,21 +36,20 @@ Matrix InnovationSystem::channel_columns(Index state, const std::vector<Matrix>&
   return columns;
 }
 
-/// Columns of the free coefficients of one equation, in their order.
-Matrix InnovationSystem::term_columns(Index equation) const {
+std::vector<TermValues> InnovationSystem::free_terms() const {
   const OdeModel& model = assimilation_->model;
-  std::vector<Expression> terms;
-  for (const CoefficientPlace& place : assimilation_->free)
-    if (place.equation == equation)
-      terms.push_back(model
-                          .equations()[static_cast<std::size_t>(equation)]
-                                      [static_cast<std::size_t>(place.term)]
-                          .term.expression());
-  if (terms.empty()) return Matrix(rows(), 0);
-  std::vector<Matrix> values;
-  for (const LinearisedRecord& record : assimilation_->records)
-    values.push_back(evaluate_on(record, model.variables(), terms));
-  return rate_columns(equation, values);
+  std::vector<TermValues> values(static_cast<std::size_t>(model.dimension()));
+  for (std::size_t k = 0; k < values.size(); ++k) {
+    std::vector<Expression> terms;
+    for (const CoefficientPlace& place : assimilation_->free)
+      if (place.equation == static_cast<Index>(k))
+        terms.push_back(
+            model.equations()[k][static_cast<std::size_t>(place.term)].term.expression());
+    if (terms.empty()) continue;
+    for (const LinearisedRecord& record : assimilation_->records)
+      values[k].push_back(evaluate_on(record, model.variables(), terms));
+  }
+  return values;
 }
 
 Vector InnovationSystem::channel_term_column(const ChannelTerm& term) const {
@@ -61,12 +60,14 @@ Vector InnovationSystem::channel_term_column(const ChannelTerm& term) const {
   return channel_columns(term.state, values);
 }
 
-Matrix InnovationSystem::fitted_columns() const {
+Matrix InnovationSystem::fitted_columns(const std::vector<TermValues>& values) const {
   const std::vector<CoefficientPlace>& free = assimilation_->free;
   const std::vector<ChannelTerm>& terms = assimilation_->channel_terms;
   Matrix columns(rows(), static_cast<Index>(free.size() + terms.size()));
   for (Index k = 0; k < assimilation_->model.dimension(); ++k) {
-    const Matrix own = term_columns(k);
+    const TermValues& along = values[static_cast<std::size_t>(k)];
+    if (along.empty()) continue;
+    const Matrix own = rate_columns(k, along);
     Index next = 0;
     for (std::size_t j = 0; j < free.size(); ++j)
       if (free[j].equation == k) columns.col(static_cast<Index>(j)) = own.col(next++);

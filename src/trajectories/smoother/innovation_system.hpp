@@ -7,6 +7,10 @@
 
 namespace lacuna {
 
+/// Values of some terms along each record: one column for each term at the nodes of its steps;
+/// no entry where there is no term.
+using TermValues = std::vector<Matrix>;
+
 /// The innovations of all records as one linear least-squares problem in the coefficients of
 /// terms: innovations = columns x change of the coefficients + white noise of unit variance.
 ///
@@ -33,10 +37,15 @@ class InnovationSystem {
   Matrix channel_columns(Index state, const std::vector<Matrix>& values) const;
 
   /// Columns of everything that is fitted: the free coefficients, then the channel terms.
-  Matrix fitted_columns() const;
+  Matrix fitted_columns() const { return fitted_columns(free_terms()); }
+
+  /// The same where the values of the terms are known.
+  Matrix fitted_columns(const std::vector<TermValues>& terms) const;
+
+  /// Values of the free terms of each equation along the records.
+  std::vector<TermValues> free_terms() const;
 
  private:
-  Matrix term_columns(Index equation) const;
   Vector channel_term_column(const ChannelTerm& term) const;
 
   const Assimilation* assimilation_;

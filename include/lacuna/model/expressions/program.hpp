@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
@@ -75,6 +76,35 @@ class Program {
     std::vector<double*> targets;
   };
 
+  /// A set of slots: one bit each, the last bit for all that are beyond.
+  using SlotSet = std::uint64_t;
+  static constexpr SlotSet slot_set(Index slot) noexcept {
+    constexpr Index kLastBit = 63;
+    return SlotSet{1} << (slot < kLastBit ? slot : kLastBit);
+  }
+
+  /// Rows of a block: a register of a block is 1 KiB, so dozens of them stay in the first cache.
+  static constexpr Index kBlockRows = 128;
+
+  /// What a program computes at a few points with all that it computes it from, so that little
+  /// is to be done where little has changed. For the program it was made with.
+  class Block {
+   public:
+    /// Room for so many points, at best no more than kBlockRows.
+    Block(const Program& program, Index rows);
+
+    Index rows() const noexcept { return rows_; }  ///< points
+
+   private:
+    friend class Program;
+    double* at(int place) noexcept { return registers_.data() + place * rows_; }
+    const double* at(int place) const noexcept { return registers_.data() + place * rows_; }
+
+    std::vector<double> registers_;
+    Index rows_;
+    bool evaluated_ = false;
+  };
+
   /// One value for each of the outputs.
   /// @throws ModelError naming a variable that is not in `variables`.
   Program(std::span<const Expression> outputs, const Variables& variables);
@@ -97,6 +127,22 @@ class Program {
   /// @throws ArgumentError when shapes do not fit.
   void evaluate(const Eigen::Ref<const Matrix>& slots, Eigen::Ref<Matrix> out,
                 Workspace& workspace) const;
+
+  /// All outputs at the points of a block, which keeps them.
+  /// @param slots block.rows() x slots(). @throws ArgumentError when shapes do not fit.
+  void evaluate(const Eigen::Ref<const Matrix>& slots, Block& block) const;
+
+  /// evaluate(), to the bit, where no slots but `changed` differ from those with which the block
+  /// was evaluated last: only what depends on these is computed.
+  /// @param slots block.rows() x slots().
+  /// @throws ArgumentError when shapes do not fit or the block has not been evaluated.
+  void evaluate_changed(const Eigen::Ref<const Matrix>& slots, SlotSet changed,
+                        Block& block) const;
+
+  /// The block.rows() values of an output, as the last evaluation left them.
+  const double* output(Index number, const Block& block) const {
+    return block.at(outputs_[static_cast<std::size_t>(number)]);
+  }
 
  private:
   friend class ProgramBuilder;
@@ -123,6 +169,7 @@ class Program {
                       Index first, Index rows, Workspace& workspace) const;
 
   std::vector<Instruction> instructions_;
+  std::vector<SlotSet> depends_;  ///< slots that the result of each instruction depends on
   std::vector<Run> runs_;
   std::vector<double> constants_;
   std::vector<DelayedVariable> delays_;

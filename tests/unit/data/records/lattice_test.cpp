@@ -46,5 +46,18 @@ TEST(Lattice, OfSparseValuesIsTheDigit) {
   EXPECT_NEAR(*lattice_of(data, 0), 0.01, 1e-9);
 }
 
+/// The smallest gap is twice the spacing, and so are hundreds of others.
+TEST(Lattice, OfManyLevelsIsThatOfTheirLargeGapsToo) {
+  Dataset data = stepped(0.01, 0.01);
+  Matrix& states = data.trajectories[0].states;
+  double level = 0.0;
+  for (Index i = 0; i < states.rows(); ++i) {
+    states(i, 0) = 0.01 * level;
+    level += i % 4 == 3 ? 3.0 : 2.0;
+  }
+  ASSERT_EQ(states.rows(), 400);
+  EXPECT_NEAR(*lattice_of(data, 0), 0.01, 1e-9);
+}
+
 }  // namespace
 }  // namespace lacuna

@@ -5,7 +5,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstring>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "lacuna/core/base/error.hpp"
@@ -180,6 +182,120 @@ TEST(Program, ChecksShapes) {
   EXPECT_THROW(program.evaluate(Matrix::Zero(2, 4), out, workspace), ArgumentError);
   Matrix two(3, 2);
   EXPECT_THROW(program.evaluate(Matrix::Zero(3, 4), two, workspace), ArgumentError);
+}
+
+/// Whether a block shows to the bit what a program makes of these slots.
+::testing::AssertionResult shows(const Program& program, const Program::Block& block,
+                                 const Matrix& slots) {
+  Matrix expected(slots.rows(), program.outputs());
+  Program::Workspace workspace;
+  program.evaluate(slots, expected, workspace);
+  for (Index k = 0; k < program.outputs(); ++k)
+    if (std::memcmp(program.output(k, block), expected.col(k).data(),
+                    sizeof(double) * static_cast<std::size_t>(slots.rows())) != 0)
+      return ::testing::AssertionFailure() << "output " << k << " differs";
+  return ::testing::AssertionSuccess();
+}
+
+/// Moves slots at random, about every third one.
+Program::SlotSet change_some(Random& random, Matrix& slots) {
+  Program::SlotSet changed = 0;
+  for (Index slot = 0; slot < slots.cols(); ++slot) {
+    if (random.below(3) != 0) continue;
+    changed |= Program::slot_set(slot);
+    for (double& value : slots.col(slot)) value = random.uniform(-2.0, 2.0);
+  }
+  return changed;
+}
+
+Matrix random_slots(Random& random, Index rows, Index count) {
+  Matrix slots(rows, count);
+  for (double& value : slots.reshaped()) value = random.uniform(-2.0, 2.0);
+  return slots;
+}
+
+TEST(ProgramBlock, ChangedSlotsGiveWhatAllSlotsGive) {
+  Random random(5);
+  const Variables variables{{"x", "y", "th_1"}, {"_u"}};
+  for (int i = 0; i < 500; ++i) {
+    std::vector<Expression> outputs{parse_expression("x"), parse_expression("2*3")};
+    for (int k = 0; k < 4; ++k) outputs.push_back(testing::random_expression(random, 4));
+    outputs.push_back(outputs.back());
+    const Program program(outputs, variables);
+    const Index rows = 1 + static_cast<Index>(random.below(40));
+    Matrix slots = random_slots(random, rows, program.slots());
+    Program::Block block(program, rows);
+    program.evaluate(slots, block);
+    ASSERT_TRUE(shows(program, block, slots)) << i;
+    for (int turn = 0; turn < 6; ++turn) {
+      const Program::SlotSet changed = change_some(random, slots);
+      program.evaluate_changed(slots, changed, block);
+      ASSERT_TRUE(shows(program, block, slots)) << i << ", turn " << turn;
+    }
+  }
+}
+
+TEST(ProgramBlock, SlotsBeyondTheLastBitShareIt) {
+  Random random(6);
+  Variables many;
+  std::vector<Expression> outputs;
+  for (int i = 0; i < 90; ++i) many.states.push_back("x" + std::to_string(i));
+  for (int i = 0; i < 90; ++i)
+    outputs.push_back(parse_expression("sin(x" + std::to_string(i) + ")*x" +
+                                       std::to_string((7 * i) % 90)));
+  const Program program(outputs, many);
+  Matrix slots = random_slots(random, 20, program.slots());
+  Program::Block block(program, 20);
+  program.evaluate(slots, block);
+  for (int turn = 0; turn < 30; ++turn) {
+    program.evaluate_changed(slots, change_some(random, slots), block);
+    ASSERT_TRUE(shows(program, block, slots)) << turn;
+  }
+  slots.col(80).setConstant(0.25);
+  program.evaluate_changed(slots, Program::slot_set(80), block);
+  EXPECT_TRUE(shows(program, block, slots));
+}
+
+TEST(ProgramBlock, KeepsItsValuesWhateverElseIsDone) {
+  const std::vector<std::string> formulas{"x", "x*y+sin(u)", "exp(-y)", "u"};
+  Program program = compile(formulas);
+  Matrix slots = Matrix::Random(7, 4);
+  Program::Block block(program, 7), other(program, 7);
+  program.evaluate(slots, block);
+  const Program::Block copy = block;
+  const Matrix before = slots;
+  slots.setRandom();
+  program.evaluate(slots, other);
+  EXPECT_TRUE(shows(program, block, before)) << "it does not show the slots, it has them";
+  slots = before;
+  slots.col(0).setConstant(3.0);
+  const Program moved = std::move(program);
+  moved.evaluate_changed(slots, Program::slot_set(0), block);
+  EXPECT_TRUE(shows(moved, block, slots));
+  EXPECT_TRUE(shows(moved, copy, before));
+}
+
+TEST(ProgramBlock, ComputesOnlyWhatHasChanged) {
+  const Program program = compile({"sin(u)", "x+y"});
+  Matrix slots = Matrix::Constant(3, 4, 1.0);
+  Program::Block block(program, 3);
+  program.evaluate(slots, block);
+  slots.setConstant(2.0);
+  program.evaluate_changed(slots, Program::slot_set(0), block);
+  EXPECT_EQ(program.output(0, block)[1], std::sin(1.0)) << "nothing was said of u";
+  EXPECT_EQ(program.output(1, block)[1], 3.0) << "nothing was said of y";
+  program.evaluate_changed(slots, 0, block);
+  EXPECT_EQ(program.output(1, block)[1], 3.0);
+}
+
+TEST(ProgramBlock, ChecksShapes) {
+  const Program program = compile({"x"});
+  Program::Block block(program, 3);
+  EXPECT_EQ(block.rows(), 3);
+  EXPECT_THROW(program.evaluate_changed(Matrix::Zero(3, 4), 1, block), ArgumentError)
+      << "it has not been evaluated";
+  EXPECT_THROW(program.evaluate(Matrix::Zero(2, 4), block), ArgumentError);
+  EXPECT_THROW(program.evaluate(Matrix::Zero(3, 3), block), ArgumentError);
 }
 
 TEST(VariableIndex, FindsTheSlotOfAName) {

@@ -57,15 +57,51 @@ TEST(EndsOfSteps, InputsAreCubicsBetweenNodes) {
     EXPECT_NEAR(ends(i, 0), 0.25 * (std::pow(time[i + 1], 4) - std::pow(time[i], 4)), 1e-15);
 }
 
+TEST(EndsOfSteps, AreTheSameInBlocksAndWithKnownBegins) {
+  constexpr Index kSteps = 300;
+  const Variables variables{{"x"}, {"u"}};
+  Rates rates(OdeModel({{"x", ""}}, {{"u", ""}},
+                       {{{Term::parse("sin(3*t)*x", variables), 1.0},
+                         {Term::parse("x^2", variables), -1.0},
+                         {Term::parse("cos(u)", variables), 1.0}}}));
+  const Vector time = Vector::LinSpaced(kSteps + 1, 0.0, 30.0);
+  Matrix values(kSteps + 1, 2);
+  values << time.array().sin(), time.array().cos();
+  const StepSlots grid(node_slots(time, values, 2), 1, {});
+  std::vector<Index> steps;
+  Matrix begin_rates(kSteps, 1);
+  for (Index i = 0; i < kSteps; ++i) {
+    steps.push_back(i);
+    begin_rates.row(i) << std::sin(3.0 * time[i]) * values(i, 0) - std::pow(values(i, 0), 2) +
+                              std::cos(values(i, 1));
+  }
+  for (const int parts : {1, 2, 4}) {
+    const Matrix all = ends_of_steps(rates, grid, steps, parts);
+    EXPECT_LT((all - ends_of_steps(rates, grid, steps, begin_rates, parts)).cwiseAbs().maxCoeff(),
+              1e-14);
+    for (const Index i : {0, 127, 128, 299})
+      EXPECT_EQ(all(i, 0), ends_of_steps(rates, grid, {i}, parts)(0, 0)) << i;
+  }
+}
+
+TEST(PartsFor, TellsWhatWasTried) {
+  Rates rates = leaking();
+  for (const double accuracy : {1e-7, 1.0, 0.0}) {
+    const FoundParts found = parts_for(rates, slots(), {Vector::Constant(1, accuracy)});
+    EXPECT_EQ(found.tried, all_steps());
+    EXPECT_EQ(found.ends, ends_of_steps(rates, slots(), all_steps(), found.parts.front()));
+  }
+}
+
 TEST(PartsFor, AreAsManyAsTheAccuracyNeeds) {
   Rates rates = leaking();
   const std::vector<int> parts =
-      parts_for(rates, slots(), {Vector::Constant(1, 1e-7), Vector::Constant(1, 1.0)});
+      parts_for(rates, slots(), {Vector::Constant(1, 1e-7), Vector::Constant(1, 1.0)}).parts;
   ASSERT_EQ(parts.size(), 2u);
   EXPECT_GT(parts[0], 1);
   EXPECT_LT(worst(parts[0]), 1e-7);
   EXPECT_EQ(parts[1], 1);
-  EXPECT_EQ(parts_for(rates, slots(), {Vector::Zero(1)}).front(), 32) << "no more than that";
+  EXPECT_EQ(parts_for(rates, slots(), {Vector::Zero(1)}).parts.front(), 32) << "no more than that";
 }
 
 }  // namespace

@@ -20,6 +20,13 @@ TEST(InnovationSystem, StacksTheRecords) {
   EXPECT_EQ(system.offsets().back(), system.rows());
   const Matrix columns = system.fitted_columns();
   ASSERT_EQ(columns.cols(), 3);
+  const std::vector<TermValues> terms = system.free_terms();
+  ASSERT_EQ(terms.size(), 2u);
+  EXPECT_TRUE(terms[0].empty()) << "nothing is free in an identity";
+  ASSERT_EQ(terms[1].size(), 2u) << "records";
+  EXPECT_EQ(terms[1][0].rows(), 3001);
+  EXPECT_EQ(terms[1][0].cols(), 3);
+  EXPECT_EQ(columns, system.fitted_columns(terms));
   // At the maximum of the likelihood no fitted coefficient wants to move.
   for (Index j = 0; j < 3; ++j)
     EXPECT_LT(std::abs(columns.col(j).dot(system.innovations())) / columns.col(j).norm(), 0.5);
