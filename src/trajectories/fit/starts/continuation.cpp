@@ -79,8 +79,10 @@ Continued continued(FitEngine& engine, const FitUnknowns& unknowns, const FitPoi
     last = freed();
     if (last.path.cost < best.path.cost) best = last;
   }
-  if (meets_noise(best) || !meets_noise(filtered)) return {std::move(best)};
-  return {std::move(last), true};
+  // A run that is not finite may be the fault of its begin, which the filter corrects.
+  const bool departs =
+      !meets_noise(best) && meets_noise(filtered) && std::isfinite(last.path.cost);
+  return {departs ? std::move(last) : std::move(best), departs};
 }
 
 }  // namespace lacuna
