@@ -162,8 +162,10 @@ void Program::evaluate(const Eigen::Ref<const Matrix>& slots, Eigen::Ref<Matrix>
     evaluate_block(slots, out, first, std::min(kBlockRows, rows - first), workspace);
 }
 
-Program::Block::Block(const Program& program, Index rows)
-    : registers_(program.register_count_ * static_cast<std::size_t>(rows)), rows_(rows) {
+Program::Block::Block(const Program& program, Index rows) : rows_(rows) {
+  check_argument(rows >= 0 && rows <= kBlockRows, "Program::Block",
+                 "there are less than 0 points or more than a block has");
+  registers_.resize(program.register_count_ * static_cast<std::size_t>(rows));
   int place = static_cast<int>(program.slot_count_);
   for (const double constant : program.constants_) std::fill_n(at(place++), rows, constant);
 }

@@ -41,7 +41,7 @@ class Rates {
   void rate(const Eigen::Ref<const Matrix>& slots, Eigen::Ref<Matrix> f);
   void rate(const double* slots, double* f);
 
-  /// Room for the rates at so many points, at best no more than Program::kBlockRows.
+  /// Room for the rates at so many points, no more than Program::kBlockRows.
   Program::Block block(Index rows) const { return {rate_, rows}; }
 
   /// f at the points of a block, which keeps all that it is made of.

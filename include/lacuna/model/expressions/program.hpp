@@ -78,9 +78,11 @@ class Program {
 
   /// A set of slots: one bit each, the last bit for all that are beyond.
   using SlotSet = std::uint64_t;
+
+  /// The set of one slot.
   static constexpr SlotSet slot_set(Index slot) noexcept {
     constexpr Index kLastBit = 63;
-    return SlotSet{1} << (slot < kLastBit ? slot : kLastBit);
+    return SlotSet{1} << (slot >= 0 && slot < kLastBit ? slot : kLastBit);
   }
 
   /// Rows of a block: a register of a block is 1 KiB, so dozens of them stay in the first cache.
@@ -90,7 +92,7 @@ class Program {
   /// is to be done where little has changed. For the program it was made with.
   class Block {
    public:
-    /// Room for so many points, at best no more than kBlockRows.
+    /// Room for so many points. @throws ArgumentError for less than 0 or more than kBlockRows.
     Block(const Program& program, Index rows);
 
     Index rows() const noexcept { return rows_; }  ///< points

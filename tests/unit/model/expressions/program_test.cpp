@@ -296,6 +296,8 @@ TEST(ProgramBlock, ChecksShapes) {
       << "it has not been evaluated";
   EXPECT_THROW(program.evaluate(Matrix::Zero(2, 4), block), ArgumentError);
   EXPECT_THROW(program.evaluate(Matrix::Zero(3, 3), block), ArgumentError);
+  for (const Index rows : {Index{-1}, Program::kBlockRows + 1})
+    EXPECT_THROW(Program::Block(program, rows), ArgumentError);
 }
 
 TEST(VariableIndex, FindsTheSlotOfAName) {
