@@ -160,7 +160,8 @@ std::vector<GreyBox> chaotic() {
            1000},
           {"chua, 25",
            "param a = 10.8\nparam b = 14.3\nparam g = 0.6\ndx/dt = a*(y - g*x^3 + 0.2*x)\n"
-           "dy/dt = x - y + z\ndz/dt = -b*y\nfixed dy/dt: x\nfixed dy/dt: y\nfixed dy/dt: z\nX = x\nY = y\nZ = z\n",
+           "dy/dt = x - y + z\ndz/dt = -b*y\nfixed dy/dt: x\nfixed dy/dt: y\n"
+           "fixed dy/dt: z\nX = x\nY = y\nZ = z\n",
            {0.3, 0.1, 0.0},
            0.05,
            500}};

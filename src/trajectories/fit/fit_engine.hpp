@@ -8,7 +8,7 @@
 #include "fit_records.hpp"
 #include "lacuna/core/base/function_ref.hpp"
 #include "records/channels/channel_noise.hpp"
-#include "trajectories/sensitivities/radau.hpp"
+#include "trajectories/sensitivities/implicit/radau.hpp"
 #include "trajectories/sensitivities/step_maps.hpp"
 #include "trajectories/windows/channels.hpp"
 #include "trajectories/windows/event_maps.hpp"

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "parabolas.hpp"
-#include "trajectories/sensitivities/radau.hpp"
+#include "trajectories/sensitivities/implicit/radau.hpp"
 
 namespace lacuna {
 namespace {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "channels.hpp"
-#include "trajectories/sensitivities/radau.hpp"
+#include "trajectories/sensitivities/implicit/radau.hpp"
 
 namespace lacuna {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "trajectories/sensitivities/radau_system.hpp"
+#include "trajectories/sensitivities/implicit/radau_system.hpp"
 
 #include <Eigen/Eigenvalues>
 #include <complex>
@@ -54,17 +54,17 @@ Matrix stage_system(double h, const std::array<Matrix, 3>& slope) {
 }  // namespace
 
 const std::array<double, 3>& Radau::nodes() {
-  static const std::array<double, 3> nodes{(4.0 - Radau::kRoot) / 10.0, (4.0 + Radau::kRoot) / 10.0, 1.0};
+  static const std::array<double, 3> nodes{(4.0 - kRoot) / 10.0, (4.0 + kRoot) / 10.0, 1.0};
   return nodes;
 }
 
 const std::array<std::array<double, 3>, 3>& Radau::a() {
   static const std::array<std::array<double, 3>, 3> a{
-      {{(88.0 - 7.0 * Radau::kRoot) / 360.0, (296.0 - 169.0 * Radau::kRoot) / 1800.0,
-        (-2.0 + 3.0 * Radau::kRoot) / 225.0},
-       {(296.0 + 169.0 * Radau::kRoot) / 1800.0, (88.0 + 7.0 * Radau::kRoot) / 360.0,
-        (-2.0 - 3.0 * Radau::kRoot) / 225.0},
-       {(16.0 - Radau::kRoot) / 36.0, (16.0 + Radau::kRoot) / 36.0, 1.0 / 9.0}}};
+      {{(88.0 - 7.0 * kRoot) / 360.0, (296.0 - 169.0 * kRoot) / 1800.0,
+        (-2.0 + 3.0 * kRoot) / 225.0},
+       {(296.0 + 169.0 * kRoot) / 1800.0, (88.0 + 7.0 * kRoot) / 360.0,
+        (-2.0 - 3.0 * kRoot) / 225.0},
+       {(16.0 - kRoot) / 36.0, (16.0 + kRoot) / 36.0, 1.0 / 9.0}}};
   return a;
 }
 
@@ -112,6 +112,38 @@ void RadauSystem::solve(Eigen::Ref<Matrix> stages) {
   pair_ = pair_factors_.solve(pair_);
   for (Index j = 0; j < Radau::kStages; ++j)
     stage(j) = mode.real_right[j] * real_ + 2.0 * (mode.pair_right[j] * pair_).real();
+}
+
+void RadauSystem::carry(double h, const RadauSlopes& slopes, Matrix& deviations) {
+  if (!iterate(h, slopes, deviations)) deviations = radau_variation(h, slopes, deviations);
+}
+
+/// @return whether it converges; else deviations stay as they are.
+bool RadauSystem::iterate(double h, const RadauSlopes& slopes, Matrix& deviations) {
+  constexpr double kExact = 1e-11;  // of each column: far below the errors of steps
+  constexpr int kMost = 5;          // a fact of cost: then factors of the whole are no slower
+  const Index columns = deviations.cols();
+  const auto stage = [&](Matrix& all, std::size_t j) {
+    return all.middleCols(static_cast<Index>(j) * columns, columns);
+  };
+  shifts_.setZero(deviations.rows(), Radau::kStages * columns);
+  for (int i = 0; i < kMost; ++i) {
+    through_inverse(shifts_, weighted_);
+    defect_ = weighted_ / -h;
+    for (std::size_t j = 0; j < 3; ++j) {
+      stage(defect_, j) += slopes.forcing[j];
+      stage(defect_, j).noalias() += slopes.jacobian[j] * (deviations + stage(shifts_, j));
+    }
+    solve(defect_);
+    shifts_ += defect_;
+    const auto change = stage(defect_, 2).colwise().norm();
+    const auto now = (deviations + stage(shifts_, 2)).colwise().norm();
+    if ((change.array() <= kExact * now.array()).all()) {
+      deviations += stage(shifts_, 2);
+      return true;
+    }
+  }
+  return false;
 }
 
 void through_inverse(const Matrix& stages, Matrix& result) {

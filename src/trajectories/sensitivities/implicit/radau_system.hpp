@@ -42,14 +42,21 @@ class RadauSystem {
   ///   Receives Z, alike.
   void solve(Eigen::Ref<Matrix> stages);
 
+  /// radau_variation(), by iterations with the factors where slopes hardly change within the
+  /// step. @param deviations at its begin; receives those at its end.
+  void carry(double h, const RadauSlopes& slopes, Matrix& deviations);
+
   /// Solves (g / h - J) y = r, g the real eigenvalue of the inverse of A.
   auto solve_real(const Vector& right) const { return real_factors_.solve(right); }
 
  private:
+  bool iterate(double h, const RadauSlopes& slopes, Matrix& deviations);
+
   Matrix real_system_, real_;
   Eigen::MatrixXcd pair_system_, pair_;
   Eigen::PartialPivLU<Matrix> real_factors_;
   Eigen::PartialPivLU<Eigen::MatrixXcd> pair_factors_;
+  Matrix shifts_, defect_, weighted_;  // of stages, in carry()
 };
 
 /// Writes `stages` A^-T for m x 3 c stages, blocks of c columns as above.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "trajectories/sensitivities/radau.hpp"
+#include "trajectories/sensitivities/implicit/radau.hpp"
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
@@ -116,7 +116,7 @@ bool RadauFlow::solve_stages(Rates& rates, DriveSlots drive, double t, double h,
   for (int i = 0; i < kMostIterations; ++i) {
     const double off = correct(rates, h, x);
     if (!std::isfinite(off) || off > 2.0 * last) return false;
-    // Changes fall by the same factor each time: what is left is their geometric series.
+    // Changes fall by the same factor each time: those to come are a geometric series.
     const double factor = i == 0 ? 0.5 : off / last;
     if (factor < 1.0 && off * factor / (1.0 - factor) < kNewton) return true;
     last = off;
@@ -176,8 +176,7 @@ double RadauFlow::size(const Eigen::Ref<const Vector>& change) const {
   return std::sqrt((change.array() / scale_.array()).square().mean());
 }
 
-/// Carries derivatives through the step: the linearised equations of its stages, solved by the
-/// factors of Newton's method where slopes hardly change within the step, else by their own.
+/// Carries derivatives through the step: the linearised equations of its stages.
 void RadauFlow::vary(Rates& rates, double h, Matrix& sensitivity) {
   const Index m = sensitivity.rows(), parameters = sensitivity.cols() - m;
   std::vector<Index> moving;  // columns of 0 that no rate depends on stay 0
@@ -196,37 +195,8 @@ void RadauFlow::vary(Rates& rates, double h, Matrix& sensitivity) {
               slopes_.forcing[j].rightCols(parameters));
   }
   Matrix part = sensitivity(Eigen::all, moving);
-  if (!vary_by_iteration(h, part)) part = radau_variation(h, slopes_, part);
+  system_.carry(h, slopes_, part);
   sensitivity(Eigen::all, moving) = part;
-}
-
-/// @return whether it converges; else derivatives stay as they are.
-bool RadauFlow::vary_by_iteration(double h, Matrix& sensitivity) {
-  constexpr double kExact = 1e-11;  // of each column: far below the errors of steps
-  constexpr int kMost = 5;          // a fact of cost: then factors of the whole are no slower
-  const Index columns = sensitivity.cols();
-  const auto stage = [&](Matrix& all, std::size_t j) {
-    return all.middleCols(static_cast<Index>(j) * columns, columns);
-  };
-  variation_.setZero(sensitivity.rows(), Radau::kStages * columns);
-  for (int i = 0; i < kMost; ++i) {
-    through_inverse(variation_, weighted_);
-    defect_ = weighted_ / -h;
-    for (std::size_t j = 0; j < 3; ++j) {
-      stage(defect_, j) += slopes_.forcing[j];
-      stage(defect_, j).noalias() +=
-          slopes_.jacobian[j] * (sensitivity + stage(variation_, j));
-    }
-    system_.solve(defect_);
-    variation_ += defect_;
-    const auto change = stage(defect_, 2).colwise().norm();
-    const auto now = (sensitivity + stage(variation_, 2)).colwise().norm();
-    if ((change.array() <= kExact * now.array()).all()) {
-      sensitivity += stage(variation_, 2);
-      return true;
-    }
-  }
-  return false;
 }
 
 bool is_beyond_explicit_steps(const Eigen::Ref<const Matrix>& jacobian, double step) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "trajectories/sensitivities/radau_system.hpp"
+#include "trajectories/sensitivities/implicit/radau_system.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "trajectories/sensitivities/radau.hpp"
+#include "trajectories/sensitivities/implicit/radau.hpp"
 
 #include <gtest/gtest.h>
 

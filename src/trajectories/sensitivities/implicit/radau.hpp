@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "lacuna/core/base/function_ref.hpp"
-#include "trajectories/sensitivities/radau_system.hpp"
+#include "trajectories/sensitivities/implicit/radau_system.hpp"
 #include "trajectories/sensitivities/rates.hpp"
 
 namespace lacuna {
@@ -60,7 +60,6 @@ class RadauFlow {
   void set_scale(double h, const Vector& x);
   double size(const Eigen::Ref<const Vector>& change) const;
   void vary(Rates& rates, double h, Matrix& sensitivity);
-  bool vary_by_iteration(double h, Matrix& sensitivity);
 
   Vector accuracy_;
   double tolerance_ = kTolerance;
@@ -74,7 +73,7 @@ class RadauFlow {
   Matrix slope_;                              // df/dx there
   Matrix slots_, stage_rates_;                // a row for each stage
   Matrix jacobian_, columns_;                 // entries of df/dx and df/dp there
-  Matrix change_, weighted_, variation_, defect_;
+  Matrix change_, weighted_;
   RadauSlopes slopes_;
   RadauSystem system_;
 };
