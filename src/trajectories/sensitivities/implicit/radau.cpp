@@ -22,12 +22,34 @@ void scatter(const Matrix& entries, Index row, const std::vector<MatrixPlace>& p
     matrix(places[i].row, places[i].column) += entries(row, static_cast<Index>(i));
 }
 
+/// Writes what changes of the states are let pass in a step: a fraction of the state, and the
+/// rounding of its rate.
+void write_scale(const PassedErrors& passed, double h, const Matrix& slope, const Vector& x,
+                 const Matrix& shift, Vector& scale) {
+  constexpr double kRounding = 1e-15, kLeast = std::numeric_limits<double>::min();
+  const Index m = x.size();
+  scale.resize(m);
+  for (Index i = 0; i < m; ++i) {
+    double rounding = 0.0;
+    for (Index j = 0; j < m; ++j) rounding += std::abs(slope(i, j)) * std::abs(x[j]);
+    const double state =
+        std::max({std::abs(x[i]), std::abs(x[i] + shift(i, 2)), kOfLargest * passed.seen[i]});
+    scale[i] = std::max({passed.tolerance * state, kRounding * h * rounding, kLeast,
+                         passed.accuracy.size() > 0 ? passed.accuracy[i] : 0.0});
+  }
+}
+
+/// Root mean square of a change, in units of what is let pass.
+double size_of(const Eigen::Ref<const Vector>& change, const Vector& scale) {
+  return std::sqrt((change.array() / scale.array()).square().mean());
+}
+
 }  // namespace
 
 void RadauFlow::begin(double tolerance) {
-  tolerance_ = tolerance;
+  passed_.tolerance = tolerance;
   step_ = 0.0;
-  seen_.resize(0);
+  passed_.seen.resize(0);
 }
 
 bool RadauFlow::advance(Rates& rates, DriveSlots drive, double t0, double t1, Vector& x,
@@ -48,7 +70,7 @@ double RadauFlow::step(Rates& rates, DriveSlots drive, double t, double longest,
                        Matrix* sensitivity) {
   if (!(step_ > 0.0)) step_ = longest;
   linearise(rates, drive, t, x);
-  if (seen_.size() == 0) guess_sizes(rates, drive, t, longest, x);
+  if (passed_.seen.size() == 0) guess_sizes(rates, drive, t, longest, x);
   for (int count = 0; count < kMostSteps; ++count) {
     if (t + step_ == t || !x.allFinite() || allowed_-- <= 0) return 0.0;
     const bool last = 1.01 * step_ >= longest;
@@ -63,7 +85,7 @@ double RadauFlow::step(Rates& rates, DriveSlots drive, double t, double longest,
     }
     if (sensitivity) vary(rates, h, *sensitivity);
     x += shift_.col(2);
-    seen_ = seen_.cwiseMax(x.cwiseAbs());
+    passed_.seen = passed_.seen.cwiseMax(x.cwiseAbs());
     const double next = h * std::clamp(factor, 0.2, 5.0);
     step_ = last ? std::max(step_, next) : next;
     return h;
@@ -76,11 +98,11 @@ double RadauFlow::step(Rates& rates, DriveSlots drive, double t, double longest,
 /// than the method is exact for would have no step whose error is a small fraction of it.
 void RadauFlow::guess_sizes(Rates& rates, DriveSlots drive, double t, double h,
                             const Vector& x) {
-  seen_ = x.cwiseAbs();
+  passed_.seen = x.cwiseAbs();
   if ((x.array() != 0.0).all() || !x.allFinite() || !solve_stages(rates, drive, t, h, x)) return;
   for (Index i = 0; i < x.size(); ++i)
     if (x[i] == 0.0 && std::isfinite(shift_(i, 2)))
-      seen_[i] = kOfLargest * std::abs(shift_(i, 2));
+      passed_.seen[i] = kOfLargest * std::abs(shift_(i, 2));
 }
 
 /// Sets the rates and their slope at the begin of a step.
@@ -134,9 +156,9 @@ double RadauFlow::correct(Rates& rates, double h, const Vector& x) {
   change_ = stage_rates_.transpose() - weighted_ / h;
   system_.solve(change_);
   shift_ += change_;
-  set_scale(h, x);
+  write_scale(passed_, h, slope_, x, shift_, scale_);
   double off = 0.0;
-  for (Index j = 0; j < Radau::kStages; ++j) off = std::max(off, size(change_.col(j)));
+  for (Index j = 0; j < Radau::kStages; ++j) off = std::max(off, size_of(change_.col(j), scale_));
   return change_.allFinite() ? off : std::numeric_limits<double>::infinity();
 }
 
@@ -146,34 +168,13 @@ double RadauFlow::error(Rates& rates, double h, const Vector& x) {
                         shift_.col(1) * (-13.0 + 7.0 * Radau::kRoot) - shift_.col(2)) /
                        (3.0 * h);
   Vector off = system_.solve_real(rate_ + known);
-  if (const double first = size(off); first <= 1.0) return first;
+  if (const double first = size_of(off, scale_); first <= 1.0) return first;
   const Vector moved = x + off;
   std::copy(moved.begin(), moved.end(), begin_.begin());
   Vector rate(x.size());
   rates.rate(begin_.data(), rate.data());
   off = system_.solve_real(rate + known);
-  return size(off);
-}
-
-/// Sets what changes of the states are let pass: a fraction of the state, and the rounding of
-/// its rate.
-void RadauFlow::set_scale(double h, const Vector& x) {
-  constexpr double kRounding = 1e-15, kLeast = std::numeric_limits<double>::min();
-  const Index m = x.size();
-  scale_.resize(m);
-  for (Index i = 0; i < m; ++i) {
-    double rounding = 0.0;
-    for (Index j = 0; j < m; ++j) rounding += std::abs(slope_(i, j)) * std::abs(x[j]);
-    const double state = std::max({std::abs(x[i]), std::abs(x[i] + shift_(i, 2)),
-                                   kOfLargest * seen_[i]});
-    scale_[i] = std::max({tolerance_ * state, kRounding * h * rounding, kLeast,
-                          accuracy_.size() > 0 ? accuracy_[i] : 0.0});
-  }
-}
-
-/// Root mean square of a change, in units of what is let pass.
-double RadauFlow::size(const Eigen::Ref<const Vector>& change) const {
-  return std::sqrt((change.array() / scale_.array()).square().mean());
+  return size_of(off, scale_);
 }
 
 /// Carries derivatives through the step: the linearised equations of its stages.

@@ -15,13 +15,20 @@ namespace lacuna {
 /// Writes the slots of Rates behind the states for a time.
 using DriveSlots = FunctionRef<void(double t, double* slots)>;
 
+/// Errors of steps that are let pass.
+struct PassedErrors {
+  Vector accuracy;   ///< of each state, or empty: smaller ones are
+  double tolerance;  ///< a smaller fraction of a state is
+  Vector seen;       ///< the largest values of the states so far; a thousandth counts, too
+};
+
 /// Follows a model by steps that are as long as the error allows (estimated by an embedded
 /// solution of order 3, IV.8 there), however short the fastest time of the model is. Values are
 /// not for use from several threads at once.
 class RadauFlow {
  public:
   /// @param accuracy of each state: errors of steps below are let pass; empty: none are.
-  explicit RadauFlow(Vector accuracy = {}) : accuracy_(std::move(accuracy)) {}
+  explicit RadauFlow(Vector accuracy = {}) : passed_{std::move(accuracy), kTolerance, {}} {}
 
   /// Steps whose error is a smaller fraction of a state are let pass by default.
   static constexpr double kTolerance = 1e-8;
@@ -57,15 +64,11 @@ class RadauFlow {
   bool solve_stages(Rates& rates, DriveSlots drive, double t, double h, const Vector& x);
   double correct(Rates& rates, double h, const Vector& x);
   double error(Rates& rates, double h, const Vector& x);
-  void set_scale(double h, const Vector& x);
-  double size(const Eigen::Ref<const Vector>& change) const;
   void vary(Rates& rates, double h, Matrix& sensitivity);
 
-  Vector accuracy_;
-  double tolerance_ = kTolerance;
+  PassedErrors passed_;
   double step_ = 0.0;                         // the next one; 0: not known yet
   long allowed_ = std::numeric_limits<long>::max();
-  Vector seen_;                               // the largest values of the states so far
   Matrix shift_;                              // m x 3: states of the stages less the begin
   // Of the present step; members, as models are small and memory would take most of its time.
   std::vector<double> begin_, slot_;          // slots at its begin, at a stage
