@@ -358,17 +358,6 @@ void try_other_starts(FitEngine& engine, const FitUnknowns& unknowns, const FitP
                   options.most_iterations, context));
 }
 
-/// The minimum that the free run from the start comes to; nothing where it runs away, or depends
-/// on its steps however fine they are.
-std::optional<FitMinimum> from_free_run(FitEngine& engine, const FitUnknowns& unknowns,
-                                        const FitPoint& start, const FitSearchOptions& options,
-                                        const RunContext& context) {
-  if (!std::isfinite(follow(engine, start, {}).cost)) return std::nullopt;
-  choose_substeps(engine, start, {}, 0.1 * std::sqrt(engine.records.valid.sum()));
-  if (!engine.implicit && engine.signals.scheme.substeps == kMostSubsteps) return std::nullopt;
-  return minimise(engine, unknowns, start, {}, options.most_iterations, context);
-}
-
 /// Adds filters to what the free run came to, if it came to something.
 FitSearch through_filters(FitEngine& engine, const FitUnknowns& unknowns, const FitPoint& start,
                           std::optional<FitMinimum> free, const FitSearchOptions& options,
@@ -383,22 +372,20 @@ FitSearch through_filters(FitEngine& engine, const FitUnknowns& unknowns, const 
   return search;
 }
 
-/// From the given start: by its free run alone where that comes to the noise, else by filters
-/// too, until the deadline if there is a free run.
+/// From the given start by filters. They move the states at each sample, which sets off all fast
+/// motions of a stiff model: its free run goes first, and alone where it comes to the noise; a
+/// deadline ends the filters then.
 FitSearch from_given_start(FitEngine& engine, const FitUnknowns& unknowns,
                            const FitPoint& start, const FitSearchOptions& options,
                            const RunContext& context) {
   const RunContext needed = context.unhurried();
-  const Index substeps = engine.signals.scheme.substeps;
-  const bool were_explicit = !engine.implicit;
-  std::optional<FitMinimum> free = from_free_run(engine, unknowns, start, options, needed);
+  std::optional<FitMinimum> free;
+  if (engine.implicit && std::isfinite(follow(engine, start, {}).cost))
+    free = minimise(engine, unknowns, start, {}, options.most_iterations, needed);
   if (free && is_good(engine, unknowns, start, *free, options)) return {std::move(*free)};
-  if (were_explicit) engine.implicit.reset();
-  set_substeps(engine, substeps);
   try {
     return through_filters(engine, unknowns, start, free, options, free ? context : needed);
   } catch (const OutOfTime&) {
-    choose_substeps(engine, free->point, {}, kFine);
     return {.best = std::move(*free), .in_time = false};
   }
 }

@@ -41,8 +41,9 @@ struct FitSearchOptions {
 /// Gains are held while parameters are fitted, and the disturbance is taken away step by step
 /// (continuation in the gain of an observer: Ljung, System Identification (1999), Sect. 7.2;
 /// Abarbanel et al., SIAM J. Appl. Dyn. Syst. 8:1341, 2009). The free run from the guess itself
-/// is tried before; filters where residuals stay above the noise, then seeded other starts. A
-/// deadline ends these, not the fit of the free run.
+/// is tried too, first where the model is stiff; where residuals stay above the noise, seeded other
+/// starts. A deadline ends the trying of other starts, not the fit from the given one (of stiff
+/// models: not that of the free run).
 FitSearch search_fit(FitEngine& engine, const FitUnknowns& unknowns, const FitPoint& start,
                      const FitSearchOptions& options, const RunContext& context);
 
