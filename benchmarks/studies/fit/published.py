@@ -6,10 +6,10 @@ the PEtab collection (BSD-3-Clause). Starts are even in the logarithms of the pu
 python3 published.py LACUNA FOLDER [STARTS] [FIRST]   (FOLDER has boehm/ and crauste/; 10 starts
 from the seed FIRST on, 1)
 
-results/published.csv: `... 10 41`, 2026-11-27, 2 cores beside other work, seconds of the processor;
-no start with these seeds was seen while the search was written. All fits are within 0.1, those of
-seeds 31 to 40, too (before free runs went first: 9 of 10 of Crauste, in 1.4 times the time, those of
-Boehm in 2.5 times). Explicit steps had shown 190.955 for Crauste where scipy's
+results/published.csv: `... 10 41`, 2026-11-27, 2 cores beside other work, seconds of the
+processor; no start with these seeds was seen while the search was written. All fits are within
+0.1, those of seeds 31 to 40, too (before steps held one slope: 9 of 10 of Crauste, in 1.4 times
+the time, those of Boehm in 2.5 times). Explicit steps had shown 190.955 for Crauste where scipy's
 LSODA has 204.0: steps are checked at the minimum now."""
 import json
 import math
