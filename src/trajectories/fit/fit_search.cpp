@@ -318,6 +318,9 @@ void try_other_starts(FitEngine& engine, const FitUnknowns& unknowns, const FitP
   };
   const auto good = [&] { return is_good(engine, unknowns, start, search.best, options); };
   if (good() && !changed_a_sign(search.best.point, start) && !options.always_ranges) return;
+  const bool is_free_run_tried = search.starts > 1;
+  if (!is_free_run_tried)
+    take(minimise(engine, unknowns, start, {}, options.most_iterations, context));
   FitUnknowns only_starts = unknowns;
   only_starts.global.clear();
   for (const double sign : {1.0, -1.0})
@@ -364,11 +367,8 @@ FitSearch through_filters(FitEngine& engine, const FitUnknowns& unknowns, const 
                           const RunContext& context) {
   Continued found = continued(engine, unknowns, start, options, context);
   FitSearch search{.best = std::move(found.best), .departs = found.departs};
-  if (search.departs) return search;
-  if (!free && (options.only_given || is_good(engine, unknowns, start, search.best, options)))
-    return search;
-  if (!free) free = minimise(engine, unknowns, start, {}, options.most_iterations, context);
-  keep_better(engine, unknowns, start, std::move(*free), options, context, search);
+  if (free && !search.departs)
+    keep_better(engine, unknowns, start, std::move(*free), options, context, search);
   return search;
 }
 
