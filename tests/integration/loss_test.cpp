@@ -103,10 +103,10 @@ TEST(Memory, EndsWithAnErrorWhereverItRunsOut) {
   const TemporaryFolder folder;
   const std::string record = folder.write("r.csv", oscillation(20000));
   for (int kilobytes = 20000; kilobytes <= 80000; kilobytes += 3000) {
-    const CommandResult result =
-        run_in_shell("ulimit -v " + std::to_string(kilobytes), "identify " + record);
-    if (result.status != 0 && result.err.find("shared libraries") == std::string::npos)
-      expect_one_error(result, {"memory"});
+    const std::string limit = "ulimit -v " + std::to_string(kilobytes);
+    if (run_in_shell(limit, "--version").status != 0) continue;  // a library ends it before
+    const CommandResult result = run_in_shell(limit, "identify " + record);
+    if (result.status != 0) expect_one_error(result, {"memory"});
   }
 }
 
