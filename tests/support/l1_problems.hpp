@@ -8,16 +8,9 @@
 
 #include "core/base/random.hpp"
 #include "lacuna/regression/stages/l1_solver.hpp"
+#include "support/random_matrix.hpp"
 
 namespace lacuna::testing {
-
-/// Independent standard normal entries.
-inline Matrix random_matrix(Random& random, Index rows, Index columns) {
-  Matrix a(rows, columns);
-  for (Index j = 0; j < columns; ++j)
-    for (Index i = 0; i < rows; ++i) a(i, j) = random.normal();
-  return a;
-}
 
 /// Columns with singular values from 1 down to 1/condition, then scaled to unit norm.
 inline Matrix ill_conditioned(Random& random, Index k, double condition) {

@@ -93,7 +93,7 @@ void add_records(const std::shared_ptr<const RecordFile>& file, Records found,
 /// @param notes gets a sentence on those.
 ColumnRoles with_own_states(const NpyFile& file, ColumnRoles roles,
                             std::vector<std::string>& notes) {
-  constexpr Index kRows = 20000;
+  constexpr Index kRows = 20000;  // a fact of cost: as many as returns are sought among
   if (!roles.states.empty() || !roles.derivatives.empty() ||
       !has_derivative_names(file.columns().columns))
     return roles;

@@ -15,6 +15,10 @@
 namespace lacuna {
 namespace {
 
+/// A decision (docs/decisions/numbers.md): what takes the place of something leaves half of it, a
+/// quarter of squares.
+constexpr double kHalf = 0.25;
+
 bool jumps(const Expression& form) {
   return form.operation() == Operation::Sign || form.operation() == Operation::Step ||
          std::any_of(form.operands().begin(), form.operands().end(), jumps);
@@ -104,8 +108,7 @@ EquationForms FormSearch::recomposed(const EquationForms& equation,
   whole.forms = equation.forms;
   const std::size_t known = whole.forms.size();
   whole = extended(std::move(whole), candidates, known + most_forms, least);
-  // Thinned it leaves no less. What is taken in the end fits or leaves half (a quarter of squares).
-  constexpr double kHalf = 0.25;
+  // Thinned it leaves no less. What is taken in the end fits or leaves half.
   if (problem_->left(whole) > std::max(fitting(least), kHalf * problem_->left(equation)))
     return equation;
   const double same = problem_->same_as(problem_->left(whole), problem_->residual_noise(k));
@@ -262,7 +265,6 @@ EquationForms FormSearch::exchanged(const EquationForms& equation,
 
 EquationForms FormSearch::with_exchanges(EquationForms equation,
                                          const std::vector<Candidate>& plain) const {
-  constexpr double kHalf = 0.25;  // of squares
   const double least = fitting(problem_->residual_noise(equation.equation));
   for (;;) {
     const double left = problem_->left(equation);

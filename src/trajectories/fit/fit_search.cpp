@@ -318,8 +318,7 @@ void try_other_starts(FitEngine& engine, const FitUnknowns& unknowns, const FitP
   };
   const auto good = [&] { return is_good(engine, unknowns, start, search.best, options); };
   if (good() && !changed_a_sign(search.best.point, start) && !options.always_ranges) return;
-  const bool is_free_run_tried = search.starts > 1;
-  if (!is_free_run_tried)
+  if (!search.ran_freely)
     take(minimise(engine, unknowns, start, {}, options.most_iterations, context));
   FitUnknowns only_starts = unknowns;
   only_starts.global.clear();
@@ -366,7 +365,9 @@ FitSearch through_filters(FitEngine& engine, const FitUnknowns& unknowns, const 
                           std::optional<FitMinimum> free, const FitSearchOptions& options,
                           const RunContext& context) {
   Continued found = continued(engine, unknowns, start, options, context);
-  FitSearch search{.best = std::move(found.best), .departs = found.departs};
+  FitSearch search{.best = std::move(found.best),
+                   .ran_freely = free.has_value(),
+                   .departs = found.departs};
   if (free && !search.departs)
     keep_better(engine, unknowns, start, std::move(*free), options, context, search);
   return search;

@@ -12,6 +12,7 @@ struct FitSearch {
   int starts = 1;    ///< from how many starts it was looked for
   int agreeing = 1;  ///< how many came to the best
   bool in_time = true;  ///< whether no deadline came before the last other start
+  bool ran_freely = false;  ///< whether the free run from the given start was fitted, too
   /// Whether filters meet the noise with next to no disturbance and no free run does: the model
   /// is chaotic over so long a record, and other starts come to no more.
   bool departs = false;

@@ -18,8 +18,8 @@ namespace {
 /// this fraction are none.
 constexpr double kExplained = 3.0, kMostExplained = 0.1, kNoDifference = 1e-3;
 
-/// Windows of which a median is taken, parts of them that are compared, and windows of one
-/// length that are looked at: of more, every n-th.
+/// Facts of statistics and cost: windows of which a median is taken, parts of them that are
+/// compared, and windows of one length that are looked at (of more, every n-th).
 constexpr Index kFewestWindows = 10, kMostParts = 10, kMostWindows = 100000;
 
 /// Windows of one length.

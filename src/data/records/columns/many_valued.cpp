@@ -15,12 +15,12 @@ namespace {
 /// Decisions (docs/decisions/numbers.md).
 constexpr double kNear = 0.1, kMostOnPath = 4.0, kFraction = 0.15;
 
-/// Differences below this fraction of a deviation are none; a path that was so many distances
-/// away comes back; fewer samples show nothing.
+/// Facts of the search for returns: differences below this fraction of a deviation are none; a
+/// path that was so many distances away comes back; fewer samples show nothing.
 constexpr double kSameValue = 0.05, kAway = 3.0;
 constexpr Index kFewestReturns = 20;
 
-/// Samples that are looked at, and samples among which their neighbours are sought.
+/// Facts of cost: samples that are looked at, and among which their neighbours are sought.
 constexpr Index kLookedAt = 300, kMostSamples = 20000;
 
 /// Columns of all records, one sample a column, in deviations.

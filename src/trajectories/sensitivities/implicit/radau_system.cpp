@@ -120,7 +120,7 @@ void RadauSystem::carry(double h, const RadauSlopes& slopes, Matrix& deviations)
 
 /// @return whether it converges; else deviations stay as they are.
 bool RadauSystem::iterate(double h, const RadauSlopes& slopes, Matrix& deviations) {
-  constexpr double kExact = 1e-11;  // of each column: far below the errors of steps
+  constexpr double kExact = 1e-11;  // a fact of doubles: of each column, rounding leaves less
   constexpr int kMost = 5;          // a fact of cost: then factors of the whole are no slower
   const Index columns = deviations.cols();
   const auto stage = [&](Matrix& all, std::size_t j) {

@@ -6,18 +6,13 @@
 #include <Eigen/LU>
 #include <cmath>
 
-#include "core/base/random.hpp"
 #include "lacuna/core/base/error.hpp"
+#include "support/random_matrix.hpp"
 
 namespace lacuna {
 namespace {
 
-Matrix random_matrix(Index rows, Index columns, std::uint64_t seed) {
-  Random random(seed);
-  Matrix matrix(rows, columns);
-  for (double& value : matrix.reshaped()) value = random.normal();
-  return matrix;
-}
+using testing::random_matrix;
 
 TEST(ConstrainedLeastSquares, SolvesTheEquationsOfLagrange) {
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {

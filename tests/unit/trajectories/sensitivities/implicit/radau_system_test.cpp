@@ -6,17 +6,12 @@
 #include <unsupported/Eigen/KroneckerProduct>
 #include <unsupported/Eigen/MatrixFunctions>
 
-#include "core/base/random.hpp"
+#include "support/random_matrix.hpp"
 
 namespace lacuna {
 namespace {
 
-Matrix random_matrix(Index rows, Index columns, std::uint64_t seed) {
-  Random random(seed);
-  Matrix matrix(rows, columns);
-  for (double& value : matrix.reshaped()) value = random.normal();
-  return matrix;
-}
+using testing::random_matrix;
 
 // A_ij integrates the polynomials through the nodes: A c^k = c^(k+1) / (k+1) for k < 3.
 TEST(RadauSystem, TheMethodIntegratesParabolasExactly) {
