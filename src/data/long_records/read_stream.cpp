@@ -95,7 +95,7 @@ ColumnRoles with_own_states(const NpyFile& file, ColumnRoles roles,
                             std::vector<std::string>& notes) {
   constexpr Index kRows = 20000;  // a fact of cost: as many as returns are sought among
   if (!roles.states.empty() || !roles.derivatives.empty() ||
-      !has_derivative_names(file.columns().columns))
+      named_derivatives(file.columns().columns).empty())
     return roles;
   ColumnRoles called = roles;
   called.names.clear();  // the columns are called so already

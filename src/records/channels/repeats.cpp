@@ -47,18 +47,32 @@ void mark(const std::vector<Run>& runs, Index state, Index shortest, Dataset& da
       set_mark(data.trajectories[run.record], run.first + i, state, Mark::Missing);
 }
 
-/// Chance that the noise of a state lets a value come twice; 1 where no noise is seen.
-double chance_of_repeat(const Dataset& data, Index state, const std::vector<Run>& runs) {
+/// One state and its marks, without the others: they may be many.
+Dataset one_state(const Dataset& data, Index state) {
   Dataset only;
   only.states = {data.states[static_cast<std::size_t>(state)]};
-  Dataset changes = data;
-  mark(runs, state, 1, changes);
+  for (const Trajectory& record : data.trajectories) {
+    Trajectory one;
+    one.time = record.time;
+    one.states = record.states.col(state);
+    if (record.marks.size() > 0) one.marks = record.marks.col(state);
+    only.trajectories.push_back(std::move(one));
+  }
+  return only;
+}
+
+/// Chance that the noise of a state lets a value come twice; 1 where no noise is seen.
+double chance_of_repeat(const Dataset& data, Index state, const std::vector<Run>& runs) {
+  Dataset changes = one_state(data, state);
+  mark(runs, 0, 1, changes);
+  Dataset values;
+  values.states = changes.states;
   for (const Trajectory& record : changes.trajectories)
-    if (Trajectory values = values_of(record, state); values.samples() >= 2)
-      only.trajectories.push_back(std::move(values));
-  const StateNoise noise = analyse_noise(only).front();
+    if (Trajectory some = values_of(record, 0); some.samples() >= 2)
+      values.trajectories.push_back(std::move(some));
+  const StateNoise noise = analyse_noise(values).front();
   if (noise.kind != NoiseKind::White && noise.kind != NoiseKind::Coloured) return 1.0;
-  return value_spacings(only)[0] / (2.0 * std::sqrt(M_PI) * noise.sigma);
+  return value_spacings(values)[0] / (2.0 * std::sqrt(M_PI) * noise.sigma);
 }
 
 /// Number of repeats from which on a run is hardly chance; 0 where none is.

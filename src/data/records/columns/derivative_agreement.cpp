@@ -8,7 +8,6 @@
 #include "core/base/check.hpp"
 #include "core/statistics/robust_statistics.hpp"
 #include "data/records/check_record.hpp"
-#include "lacuna/data/records/noise.hpp"
 
 namespace lacuna {
 namespace {
@@ -104,17 +103,26 @@ bool agree(const Dataset& data, Index derivative, Index of, const Errors& errors
   return some_agree;
 }
 
+/// Whether all samples of a state and their times are finite.
+bool is_finite(const Dataset& data, Index state) {
+  return std::all_of(data.trajectories.begin(), data.trajectories.end(),
+                     [&](const Trajectory& record) {
+                       return record.states.col(state).allFinite() && record.time.allFinite();
+                     });
+}
+
 }  // namespace
 
-bool is_derivative(const Dataset& data, Index derivative, Index of) {
+bool is_derivative(const Dataset& data, const std::vector<StateNoise>& noise, Index derivative,
+                   Index of) {
   check_columns(data, "is_derivative");
+  check_argument(static_cast<Index>(noise.size()) == data.state_count(), "is_derivative",
+                 "the noise of some states is missing", "give that of each (analyse_noise())");
   for (const Index state : {derivative, of})
     check_number(state, data.state_count(), "is_derivative", "state");
-  for (const Trajectory& record : data.trajectories)
-    if (!record.states.col(derivative).allFinite() || !record.states.col(of).allFinite() ||
-        !record.time.allFinite())
-      return false;
-  Errors errors{analyse_noise_of(data, of).sigma, analyse_noise_of(data, derivative).sigma};
+  if (!is_finite(data, derivative) || !is_finite(data, of)) return false;
+  Errors errors{noise[static_cast<std::size_t>(of)].sigma,
+                noise[static_cast<std::size_t>(derivative)].sigma};
   if (agree(data, derivative, of, errors)) return true;
   errors.late_by = 0.5;
   return agree(data, derivative, of, errors);

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <vector>
+
 #include "lacuna/data/records/dataset.hpp"
+#include "lacuna/data/records/noise.hpp"
 
 namespace lacuna {
 
@@ -16,8 +19,11 @@ namespace lacuna {
 /// explain, for s = 0, or half a step too, s = 1/2, as which differences of neighbours count a
 /// derivative. The first has to be below three times the second. Windows over which c changes by
 /// less than ten times the second show nothing; some have to show it.
+/// @param noise that of each state (analyse_noise()).
 /// @return false as well for fewer than ten windows, and for values that are not finite.
-/// @throws ArgumentError when there is no such state, or a record has not as many rows as times.
-bool is_derivative(const Dataset& data, Index derivative, Index of);
+/// @throws ArgumentError when there is no such state or no noise of it, or a record has not as
+///   many rows as times.
+bool is_derivative(const Dataset& data, const std::vector<StateNoise>& noise, Index derivative,
+                   Index of);
 
 }  // namespace lacuna

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <optional>
 #include <string>
+#include <tuple>
+#include <unordered_map>
 
 #include "core/base/check.hpp"
 #include "core/base/text.hpp"
@@ -24,19 +26,22 @@ const std::string& name_of(const Dataset& data, Index state) {
   return data.states[static_cast<std::size_t>(state)].name;
 }
 
-/// The state whose derivative another one is by name and by values.
-std::optional<Index> source_of(const Dataset& data, Index column) {
-  for (Index of = 0; of < data.state_count(); ++of) {
-    if (of == column) continue;
-    if (is_derivative_name(name_of(data, column), name_of(data, of)) &&
-        is_derivative(data, column, of))
-      return of;
-    if (!is_derivative_name(name_of(data, column), name_of(data, of), 2)) continue;
-    for (Index between = 0; between < data.state_count(); ++between)
-      if (between != column && between != of && is_derivative(data, between, of) &&
-          is_derivative(data, column, between))
-        return between;
-  }
+/// Usual names for the derivative of x, without underscores.
+std::vector<std::string> derivative_names(const std::string& x, int order) {
+  if (order == 1) return {"d" + x, "d" + x + "dt", x + "dot", "dot" + x};
+  return {"dd" + x, "d2" + x, "d2" + x + "dt2", x + "ddot", "ddot" + x};
+}
+
+/// The state whose derivative a column with such a name is by its values.
+std::optional<Index> source_of(const Dataset& data, const std::vector<StateNoise>& noise,
+                               const NamedDerivative& named) {
+  const auto [column, of, order] = named;
+  if (order == 1)
+    return is_derivative(data, noise, column, of) ? std::optional(of) : std::nullopt;
+  for (Index between = 0; between < data.state_count(); ++between)
+    if (between != column && between != of && is_derivative(data, noise, between, of) &&
+        is_derivative(data, noise, column, between))
+      return between;
   return std::nullopt;
 }
 
@@ -46,12 +51,12 @@ bool is_among(const std::vector<DerivativeColumn>& columns, Index state) {
 }
 
 /// Whether the states have the derivative by another name, or it is an acceleration.
-bool is_second(const Dataset& data, const std::vector<DerivativeColumn>& named,
-               const DerivativeColumn& column) {
+bool is_second(const Dataset& data, const std::vector<StateNoise>& noise,
+               const std::vector<DerivativeColumn>& named, const DerivativeColumn& column) {
   for (Index state = 0; state < data.state_count(); ++state) {
     if (state == column.column || state == column.of) continue;
-    if (!is_among(named, state) && is_derivative(data, state, column.of)) return true;
-    if (is_derivative(data, column.of, state)) return true;
+    if (!is_among(named, state) && is_derivative(data, noise, state, column.of)) return true;
+    if (is_derivative(data, noise, column.of, state)) return true;
   }
   return false;
 }
@@ -68,33 +73,40 @@ std::string note_of(const Dataset& data, const std::vector<DerivativeColumn>& le
 
 }  // namespace
 
-bool is_derivative_name(std::string_view name, std::string_view of, int order) {
-  check_argument(order == 1 || order == 2, "is_derivative_name",
-                 "no such order is looked for", "give 1 or 2");
-  const std::string bare = without_underscores(name), x = without_underscores(of);
-  if (x.empty()) return false;
-  const std::vector<std::string> names =
-      order == 1 ? std::vector{"d" + x, "d" + x + "dt", x + "dot", "dot" + x}
-                 : std::vector{"dd" + x,         "d2" + x,   "d2" + x + "dt2",
-                               x + "ddot", "ddot" + x};
-  return std::find(names.begin(), names.end(), bare) != names.end();
-}
-
-bool has_derivative_names(const std::vector<Quantity>& columns) {
-  for (const Quantity& column : columns)
-    for (const Quantity& of : columns)
-      for (const int order : {1, 2})
-        if (is_derivative_name(column.name, of.name, order)) return true;
-  return false;
+std::vector<NamedDerivative> named_derivatives(const std::vector<Quantity>& columns) {
+  // Names are looked up: a record may have 100 000 columns.
+  std::unordered_multimap<std::string, Index> numbers;
+  for (std::size_t i = 0; i < columns.size(); ++i)
+    numbers.emplace(without_underscores(columns[i].name), static_cast<Index>(i));
+  std::vector<NamedDerivative> named;
+  for (std::size_t of = 0; of < columns.size(); ++of) {
+    const std::string x = without_underscores(columns[of].name);
+    if (x.empty()) continue;
+    for (const int order : {1, 2})
+      for (const std::string& name : derivative_names(x, order)) {
+        const auto [begin, end] = numbers.equal_range(name);
+        for (auto it = begin; it != end; ++it)
+          named.push_back({it->second, static_cast<Index>(of), order});
+      }
+  }
+  std::sort(named.begin(), named.end(), [](const auto& a, const auto& b) {
+    return std::tie(a.column, a.of, a.order) < std::tie(b.column, b.of, b.order);
+  });
+  return named;
 }
 
 std::vector<DerivativeColumn> derivative_columns(const Dataset& data) {
   check_columns(data, "derivative_columns");
+  if (!std::all_of(data.trajectories.begin(), data.trajectories.end(), values_are_finite))
+    return {};
+  const std::vector<StateNoise> noise = analyse_noise(data);
   std::vector<DerivativeColumn> named, left_out, open;
-  for (Index column = 0; column < data.state_count(); ++column)
-    if (const auto of = source_of(data, column)) named.push_back({column, *of});
+  for (const NamedDerivative& candidate : named_derivatives(data.states)) {
+    if (is_among(named, candidate.column)) continue;
+    if (const auto of = source_of(data, noise, candidate)) named.push_back({candidate.column, *of});
+  }
   for (const DerivativeColumn& column : named)
-    (is_second(data, named, column) ? left_out : open).push_back(column);
+    (is_second(data, noise, named, column) ? left_out : open).push_back(column);
   std::vector<Index> states, others;
   for (const DerivativeColumn& column : open) states.push_back(column.column);
   for (Index state = 0; state < data.state_count(); ++state)
@@ -107,7 +119,7 @@ std::vector<DerivativeColumn> derivative_columns(const Dataset& data) {
 }
 
 Dataset without_derivative_columns(Dataset data) {
-  if (!has_derivative_names(data.states)) return data;
+  if (named_derivatives(data.states).empty()) return data;
   const std::vector<DerivativeColumn> left_out = derivative_columns(data);
   if (left_out.empty()) return data;
   data.notes.push_back(note_of(data, left_out));

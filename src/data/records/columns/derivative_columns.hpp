@@ -1,21 +1,24 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <string_view>
 #include <vector>
 
 #include "lacuna/data/records/dataset.hpp"
 
 namespace lacuna {
 
-/// Whether a name is a usual one for the derivative of a variable, whatever its underscores:
-/// dx, d_x, dx_dt (of the header "dx/dt"), dxdt, x_dot, dot_x, xdot; of the second derivative
-/// ddx, d2x, d2x_dt2, d2xdt2, x_ddot, ddot_x.
-/// @param order 1 or 2. @throws ArgumentError for another one.
-bool is_derivative_name(std::string_view name, std::string_view of, int order = 1);
+/// A column that has a usual name for the derivative of another one.
+struct NamedDerivative {
+  Index column = 0, of = 0;
+  int order = 1;  ///< 1 or 2
 
-/// Whether some name is that of the first or second derivative of another one.
-bool has_derivative_names(const std::vector<Quantity>& columns);
+  bool operator==(const NamedDerivative&) const = default;
+};
+
+/// Columns with such names, whatever their underscores: dx, d_x, dx_dt (of the header "dx/dt"),
+/// dxdt, x_dot, dot_x, xdot are first derivatives of x; ddx, d2x, d2x_dt2, d2xdt2, x_ddot,
+/// ddot_x second ones. In the order of the columns, then of those they are named after.
+std::vector<NamedDerivative> named_derivatives(const std::vector<Quantity>& columns);
 
 /// A state that is the derivative of another one.
 struct DerivativeColumn {

@@ -29,19 +29,26 @@ Names left(const Rates& rates, const Vector& start, const std::vector<Index>& co
 
 const Vector kStart{{0.4, 0.7}};
 
-TEST(DerivativeName, KnowsTheUsualOnes) {
-  for (const char* name : {"dx", "d_x", "dx_dt", "dxdt", "x_dot", "xdot", "dot_x"}) {
-    EXPECT_TRUE(is_derivative_name(name, "x")) << name;
-    EXPECT_FALSE(is_derivative_name(name, "x", 2)) << name;
-    EXPECT_FALSE(is_derivative_name(name, "y")) << name;
-  }
-  for (const char* name : {"ddx", "d2x", "d2x_dt2", "d2xdt2", "x_ddot"})
-    EXPECT_TRUE(is_derivative_name(name, "x", 2)) << name;
-  EXPECT_TRUE(is_derivative_name("dtheta_1", "theta_1"));
-  EXPECT_FALSE(is_derivative_name("v", "x"));
-  EXPECT_FALSE(is_derivative_name("x", "x"));
-  EXPECT_FALSE(is_derivative_name("d", "_"));
-  EXPECT_THROW(is_derivative_name("dx", "x", 3), ArgumentError);
+/// The derivatives among columns that are called so.
+std::vector<NamedDerivative> named(const std::vector<std::string>& names) {
+  std::vector<Quantity> columns;
+  for (const std::string& name : names) columns.push_back({name, ""});
+  return named_derivatives(columns);
+}
+
+TEST(NamedDerivatives, HaveTheUsualNames) {
+  for (const char* name : {"dx", "d_x", "dx_dt", "dxdt", "x_dot", "xdot", "dot_x"})
+    EXPECT_EQ(named({name, "y", "x"}), (std::vector<NamedDerivative>{{0, 2, 1}})) << name;
+  for (const char* name : {"ddx", "d2x", "d2x_dt2", "d2xdt2", "x_ddot", "ddot_x"})
+    EXPECT_EQ(named({"x", name}), (std::vector<NamedDerivative>{{1, 0, 2}})) << name;
+  EXPECT_EQ(named({"theta_1", "dtheta_1"}), (std::vector<NamedDerivative>{{1, 0, 1}}));
+  EXPECT_TRUE(named({"v", "x", "d", "_"}).empty());
+}
+
+TEST(NamedDerivatives, AreInTheOrderOfTheColumns) {
+  EXPECT_EQ(named({"ddx", "x", "dx"}),
+            (std::vector<NamedDerivative>{{0, 1, 2}, {0, 2, 1}, {2, 1, 1}}));
+  EXPECT_EQ(named({"d_x", "x", "dx"}), (std::vector<NamedDerivative>{{0, 1, 1}, {2, 1, 1}}));
 }
 
 TEST(DerivativeColumns, OfAllStatesAreLeftOut) {
