@@ -6,6 +6,7 @@
 #include <chrono>
 #include <cmath>
 #include <iterator>
+#include <limits>
 #include <utility>
 
 #include "answer.hpp"
@@ -100,13 +101,15 @@ Records prepared(const OdeModel& nominal, const Dataset& data, const Dataset& he
 
 /// The gap on records that chose nothing, which the composite model's assumptions correct like
 /// the others.
-/// @param without the model before it.
+/// @param without the model before it. @param floor see HeldOutRecords::known_floor.
 std::optional<Gap> gap_of(const Problem& problem, const OdeModel& without,
-                          const CompositeModel& composite, const BoundRecords& check) {
+                          const CompositeModel& composite, const BoundRecords& check,
+                          double floor) {
   const auto& correct = composite.base->correct;
   const Dataset corrected = correct ? correct(check.data) : check.data;
   Gap gap = measure_gap(without, composite.explanation,
-                        {check, corrected, problem.options.decision.outlying}, problem.context);
+                        {check, corrected, problem.options.decision.outlying, floor},
+                        problem.context);
   // Without a window in which the model has a solution there is no distance to measure.
   if (std::isfinite(gap.before) && std::isnan(gap.after)) gap.after = INFINITY;
   const bool refuted = std::isinf(gap.after);
@@ -129,14 +132,15 @@ struct Gaps {
 };
 
 /// Enters whether there was time to measure the gaps. @return those there are.
+/// @param floor see HeldOutRecords::known_floor.
 Gaps gaps_in_time(const Problem& problem, const CompositeModel& composite,
-                  const BoundRecords& check, std::vector<StageDone>& stages) {
+                  const BoundRecords& check, double floor, std::vector<StageDone>& stages) {
   std::erase_if(stages, [](const StageDone& stage) { return stage.name == kGapStage; });
   Gaps gaps;
   run_stage(stages, kGapStage, [&] {
-    gaps.given = gap_of(problem, problem.nominal, composite, check);
+    gaps.given = gap_of(problem, problem.nominal, composite, check, floor);
     if (gaps.given && !composite.named.empty())
-      gaps.fitted = gap_of(problem, composite.base->fitted.model, composite, check);
+      gaps.fitted = gap_of(problem, composite.base->fitted.model, composite, check, floor);
   });
   return gaps;
 }
@@ -151,7 +155,8 @@ std::optional<CompositeModel> faults_that_suffice(const Problem& problem,
   if (!evaluated.gap) return std::nullopt;
   std::optional<CompositeModel> alone = faults_alone(problem, evaluated.judged.best);
   if (!alone) return std::nullopt;
-  const std::optional<Gap> gap = gap_of(problem, problem.nominal, *alone, check);
+  const std::optional<Gap> gap =
+      gap_of(problem, problem.nominal, *alone, check, evaluated.gap->noise_floor);
   if (!gap) return std::nullopt;
   const DecisionOptions& decision = problem.options.decision;
   const double most = std::max((1.0 + decision.minor) * evaluated.gap->after,
@@ -174,9 +179,10 @@ EvaluatedComposite evaluated_on(const Records& records, const Problem& problem,
   const Problem hurried{problem.nominal, problem.records, problem.options, context,
                         problem.memory};
   EvaluatedComposite evaluated{settle_composite(problem, hypotheses, std::move(judged)), {}};
+  double floor = std::numeric_limits<double>::infinity();
   for (;;) {
     const CompositeModel& best = evaluated.judged.best;
-    Gaps gaps = gaps_in_time(hurried, best, records.check, evaluated.judged.stages);
+    Gaps gaps = gaps_in_time(hurried, best, records.check, floor, evaluated.judged.stages);
     evaluated.gap = std::move(gaps.given);
     evaluated.evaluation = evaluate_holdout(problem, best, evaluated.gap, records.continued);
     if (!evaluated.evaluation.withdraw && gaps.fitted)
@@ -190,6 +196,8 @@ EvaluatedComposite evaluated_on(const Records& records, const Problem& problem,
       evaluated.withdrawn.push_back(
           "effects of the dynamics beside the fault of a sensor make a minor difference to the "
           "records that were not used: they get no name");
+      // What the effects explained where they were found is no noise without them.
+      floor = std::min(floor, evaluated.gap->noise_floor);
       evaluated.judged.best = *std::move(alone);
     } else {
       doubt_omissions(evaluated);

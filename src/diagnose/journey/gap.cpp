@@ -202,7 +202,7 @@ Gap gap_on(const OdeModel& nominal, const Explanation& explanation,
   }
   const FreeRuns free = run_freely_both(nominal, fit, {held_out, scale, begins}, length, context);
   const Vector& time = fit.records.front().time;
-  const double floor = noise_floor(fit.noise, scale);
+  const double floor = std::min(noise_floor(fit.noise, scale), held_out.known_floor);
   return {
       "rms of (measured - model) / standard deviation in windows of one mean period, "
       "initial state fitted",
@@ -228,7 +228,7 @@ Gap measure_gap(const OdeModel& nominal, const Explanation& explanation,
   BoundRecords given = held_out.given;
   given.data = with_clocks_ahead(std::move(given.data), offsets);
   const Dataset corrected = with_clocks_ahead(held_out.corrected, offsets);
-  Gap gap = gap_on(nominal, explanation, {given, corrected, held_out.outlying}, context);
+  Gap gap = gap_on(nominal, explanation, {given, corrected, held_out.outlying, held_out.known_floor}, context);
   for (std::size_t r = 0; r < gap.runs.size(); ++r)
     gap.runs[r].time.array() -= offsets[static_cast<Index>(r)];
   return gap;

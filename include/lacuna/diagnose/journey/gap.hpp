@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -54,6 +55,9 @@ struct HeldOutRecords {
   const BoundRecords& given;
   const Dataset& corrected;
   double outlying = kOutlyingDeviations;  ///< deviations of the noise that an outlier is off
+  /// The lowest noise floor with other explanations of the same records: what these explain is
+  /// no noise.
+  double known_floor = std::numeric_limits<double>::infinity();
 };
 
 /// Measures the gap on records that were not used to find the effects.

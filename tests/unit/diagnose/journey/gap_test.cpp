@@ -36,6 +36,23 @@ TEST(Gap, StaysWhereNothingIsMissing) {
   EXPECT_NEAR(gap.ratio(), 1.0, 0.05);
 }
 
+TEST(Gap, NoiseIsNotWhatAnotherExplanationOfTheSameRecordsExplains) {
+  const Dataset data = support::hidden_record(support::dry_friction, 0.01, 3);
+  const Explanation nothing{{}, support::assimilated(data)};
+  const Dataset other = support::hidden_record(support::dry_friction, 0.01, 4, -0.7);
+  const BoundRecords given = as_measured(other);
+  const auto gap_above = [&](double known_floor) {
+    return measure_gap(support::oscillator(), nothing,
+                       {.given = given, .corrected = other, .known_floor = known_floor},
+                       RunContext{});
+  };
+  const Gap own = gap_above(1.0), known = gap_above(1e-3);
+  EXPECT_LT(own.noise_floor, 1.0);
+  EXPECT_EQ(known.noise_floor, 1e-3);
+  EXPECT_EQ(known.after, own.after);
+  EXPECT_GT(known.above_floor, own.above_floor);
+}
+
 TEST(Gap, CountsWhatTheMeasurementAddsAsPartOfTheModel) {
   const auto skewed = [](std::uint64_t seed, double start) {
     Dataset data = support::hidden_record(support::nothing, 0.001, seed, start);
