@@ -228,7 +228,8 @@ Gap measure_gap(const OdeModel& nominal, const Explanation& explanation,
   BoundRecords given = held_out.given;
   given.data = with_clocks_ahead(std::move(given.data), offsets);
   const Dataset corrected = with_clocks_ahead(held_out.corrected, offsets);
-  Gap gap = gap_on(nominal, explanation, {given, corrected, held_out.outlying, held_out.known_floor}, context);
+  const HeldOutRecords shifted{given, corrected, held_out.outlying, held_out.known_floor};
+  Gap gap = gap_on(nominal, explanation, shifted, context);
   for (std::size_t r = 0; r < gap.runs.size(); ++r)
     gap.runs[r].time.array() -= offsets[static_cast<Index>(r)];
   return gap;
