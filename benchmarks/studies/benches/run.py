@@ -23,6 +23,7 @@ import numpy as np
 
 import later  # noqa: F401  registers its benches
 import machines  # noqa: F401
+import passing  # noqa: F401
 import plants  # noqa: F401
 import untouched  # noqa: F401
 from benches import BEYOND, KINDS
@@ -123,7 +124,7 @@ def summary(rows):
         "| median s | longest s |"
     ]
     lines.append("| --- " * 8 + "|")
-    for group in ("earlier", "new", "untouched", "later"):
+    for group in ("earlier", "new", "untouched", "later", "passing"):
         chosen = [row for row in rows if row["group"] == group]
         if not chosen:
             continue
