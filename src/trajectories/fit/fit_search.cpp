@@ -405,6 +405,17 @@ FitSearch from_several_starts(FitEngine& engine, const FitUnknowns& unknowns,
   return search;
 }
 
+/// A minimum with sizes of the noise and steps that belong to it.
+FitMinimum settled(FitEngine& engine, const FitUnknowns& unknowns, FitMinimum found,
+                   const FitSearchOptions& options, const RunContext& context) {
+  found = reweighted(engine, unknowns, std::move(found), options, context);
+  found = polished(engine, unknowns, std::move(found), options, context);
+  found = reweighted(engine, unknowns, std::move(found), options, context);
+  if (check_by_implicit_steps(engine, found, kWrong))
+    found = reweighted(engine, unknowns, std::move(found), options, context);
+  return found;
+}
+
 }  // namespace
 
 FitSearch search_fit(FitEngine& engine, const FitUnknowns& unknowns, const FitPoint& start,
@@ -418,11 +429,14 @@ FitSearch search_fit(FitEngine& engine, const FitUnknowns& unknowns, const FitPo
     search.best =
         minimise(engine, unknowns, search.best.point, {}, options.most_iterations, needed);
   }
-  search.best = reweighted(engine, unknowns, std::move(search.best), options, needed);
-  search.best = polished(engine, unknowns, std::move(search.best), options, needed);
-  search.best = reweighted(engine, unknowns, std::move(search.best), options, needed);
-  if (check_by_implicit_steps(engine, search.best, kWrong))
-    search.best = reweighted(engine, unknowns, std::move(search.best), options, needed);
+  FitMinimum exact = settled(engine, unknowns, search.best, options, needed);
+  if (std::isfinite(search.best.path.cost) && !std::isfinite(exact.path.cost)) {
+    // Explicit steps led away from it: those whose error is controlled do not.
+    take_implicit_steps(engine);
+    search.best.path = follow(engine, search.best.point, {});
+    exact = reweighted(engine, unknowns, search.best, options, needed);
+  }
+  search.best = std::move(exact);
   return search;
 }
 

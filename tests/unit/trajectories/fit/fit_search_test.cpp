@@ -35,5 +35,25 @@ TEST(SearchFit, ARangeThatIsNotWideIsNotLeft) {
   EXPECT_LE(found.starts, 11) << "the given ones and eight others";
 }
 
+// Prey that is eaten in spikes, where explicit steps find a minimum that shorter ones do not have.
+TEST(SearchFit, WhatLongStepsLedAwayEndsWithAFiniteRun) {
+  const OdeModel truth = parse_ode(
+      "dx/dt = 1.1*x - 0.5*x*z/(1+0.3*x)\ndz/dt = 0.3*x*z/(1+0.3*x) - 0.4*z\ny = x\nw = z\n",
+      "truth.ode");
+  const Dataset record = support::grey_box(
+      truth,
+      {.start = Vector{{3.0, 2.0}}, .step = 0.25, .samples = 40, .noise = 0.03, .seed = 42});
+  const SystemModel model = parse_ode_system(
+      "param a = 1.1 in 0.01..20\nparam b = 0.4 in 0.01..20\nparam c = 0.2 in 0.01..20\n"
+      "param d = 0.4 in 0.01..20\ndx/dt = a*x - b*x*z\ndz/dt = c*x*z - d*z\ny = x\nw = z\n",
+      "m.ode");
+  RunContext context;
+  context.seed = 42;
+  const Fit found = fit(model, record, {}, {}, context);
+  ASSERT_FALSE(found.quality.empty());
+  for (const FitQuality& quality : found.quality) EXPECT_TRUE(std::isfinite(quality.rmse));
+  EXPECT_EQ(found.adequacy.fits, Adequate::No);
+}
+
 }  // namespace
 }  // namespace lacuna
