@@ -25,7 +25,7 @@ struct GreyBoxRecord {
   Index samples = 600;
   double noise = 0.01;  ///< of the standard deviation of each output
   std::uint64_t seed = 1;
-  bool stiff = false;  ///< whether it is solved by CVODE
+  bool exact = false;  ///< whether it is solved by CVODE, else by one step for each sample
 };
 
 /// Inputs that move everything: sums of three sines about 1.
@@ -45,7 +45,7 @@ inline Dataset grey_box_columns(const OdeModel& model, const GreyBoxRecord& reco
   const Matrix inputs = grey_box_inputs(time, static_cast<Index>(model.inputs().size()));
   RecordInput signal(time, inputs, Interpolation::Linear);
   const DrivenModel driven{model, signal, signal.breaks()};
-  const Solution orbit = record.stiff ? simulate(driven, Cvode(), record.start, time)
+  const Solution orbit = record.exact ? simulate(driven, Cvode(), record.start, time)
                                       : simulate(driven, Rk4{}, record.start, time);
   Dataset data;
   data.time_unit = model.time_unit();

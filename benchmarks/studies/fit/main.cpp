@@ -51,7 +51,7 @@ Dataset record_of(const GreyBox& box, const OdeModel& truth, std::uint64_t draw)
                                    .samples = box.samples,
                                    .noise = kNoise,
                                    .seed = draw,
-                                   .stiff = box.stiff});
+                                   .exact = box.exact});
 }
 
 /// @param number 1 and up.

@@ -145,26 +145,31 @@ std::vector<GreyBox> more_hidden() {
   };
 }
 
-/// Records along which errors grow by exp(0.9 t), 1.7 exp(0.07 t) and the like.
+/// Records along which errors grow by exp(0.9 t), 1.7 exp(0.07 t) and the like: those of the
+/// integration, too.
 std::vector<GreyBox> chaotic() {
   const std::string lorenz =
       "param s = 10\nparam r = 28\nparam b = 2.7\ndx/dt = s*(y - x)\n"
       "dy/dt = x*(r - z) - y\ndz/dt = x*y - b*z\nX = x\nY = y\nZ = z\n";
-  return {{"lorenz, 8", lorenz, {1.0, 2.0, 20.0}, 0.01, 800},
-          {"lorenz, 12", lorenz, {1.0, 2.0, 20.0}, 0.01, 1200},
+  return {{"lorenz, 8", lorenz, {1.0, 2.0, 20.0}, 0.01, 800, false, true},
+          {"lorenz, 12", lorenz, {1.0, 2.0, 20.0}, 0.01, 1200, false, true},
           {"rossler, 100",
            "param a = 0.2\nparam b = 0.2\nparam c = 5.7\ndx/dt = -y - z\ndy/dt = x + a*y\n"
            "dz/dt = b + z*(x - c)\nX = x\nY = y\nZ = z\n",
            {3.0, 3.0, 0.1},
            0.1,
-           1000},
+           1000,
+           false,
+           true},
           {"chua, 25",
            "param a = 10.8\nparam b = 14.3\nparam g = 0.6\ndx/dt = a*(y - g*x^3 + 0.2*x)\n"
            "dy/dt = x - y + z\ndz/dt = -b*y\nfixed dy/dt: x\nfixed dy/dt: y\n"
            "fixed dy/dt: z\nX = x\nY = y\nZ = z\n",
            {0.3, 0.1, 0.0},
            0.05,
-           500}};
+           500,
+           false,
+           true}};
 }
 
 /// Rates from 1e-3 to 1e6.

@@ -14,7 +14,7 @@ struct GreyBox {
   double step = 0.05;
   int samples = 600;
   bool hidden = false;  ///< whether a state is neither measured nor made of one that is
-  bool stiff = false;
+  bool exact = false;   ///< whether steps of the samples are too long for its record
 };
 
 /// Twenty problems, ten of them with hidden states, four chaotic records and a chain of thirty

@@ -7,7 +7,9 @@
 #include <tuple>
 #include <utility>
 
+#include "core/numerics/least_squares.hpp"
 #include "fit_search.hpp"
+#include "trajectories/shooting/block_minimum.hpp"
 
 namespace lacuna {
 namespace {
@@ -58,6 +60,39 @@ class Way {
   bool by_factor_;
 };
 
+/// How all numbers change with the global one at `place`, to first order and per unit of it, where
+/// the cost rises least. Those at the ends of their ranges stay.
+FitPoint ridge_of(FitEngine& engine, const FitUnknowns& unknowns, const FitMinimum& minimum,
+                  Index place) {
+  const FitLinear linear = linearise(engine, unknowns, minimum.point, minimum.path, {});
+  const auto g = static_cast<Index>(unknowns.global.size());
+  const Matrix reduced = linear.reduced.topLeftCorner(g, g);
+  std::vector<Index> others;
+  for (Index i = 0; i < g; ++i) {
+    const Index p = unknowns.global[static_cast<std::size_t>(i)];
+    const double value = minimum.point.parameters(0, p);
+    if (i != place && value > unknowns.lower[p] && value < unknowns.upper[p])
+      others.push_back(i);
+  }
+  Vector change = Vector::Unit(g, place);
+  if (!others.empty())
+    change(others) = smallest_least_squares(reduced(Eigen::all, others), -reduced.col(place));
+  FitPoint ridge{Matrix::Zero(minimum.point.parameters.rows(), minimum.point.parameters.cols()),
+                 Matrix::Zero(minimum.point.starts.rows(), minimum.point.starts.cols())};
+  for (Index i = 0; i < g; ++i)
+    ridge.parameters.col(unknowns.global[static_cast<std::size_t>(i)]).setConstant(change[i]);
+  const Index states = engine.states(),
+              own = states + static_cast<Index>(unknowns.local.size());
+  for (Index r = 0; r < ridge.starts.rows(); ++r) {
+    const Matrix& triangle = linear.records[static_cast<std::size_t>(r)];
+    const Vector moves = solve_determined(triangle.topLeftCorner(own, own),
+                                          -(triangle.block(0, own, own, g) * change));
+    ridge.starts.row(r) = moves.head(states).transpose();
+    ridge.parameters(r, unknowns.local) = moves.tail(own - states).transpose();
+  }
+  return ridge;
+}
+
 /// The cost with one number held, from the nearest point that was found so far.
 class HeldNumber {
  public:
@@ -75,7 +110,8 @@ class HeldNumber {
         context_(context),
         substeps_(engine.signals.scheme.substeps),
         is_implicit_(engine.implicit.has_value()),
-        laws_(engine.laws) {
+        laws_(engine.laws),
+        ridge_(ridge_of(engine, unknowns, minimum, place)) {
     others_.global.erase(others_.global.begin() + place);
     if (sizes_move(engine)) {
       // Deviances with sizes that are estimated are as much larger than with known ones as
@@ -164,14 +200,20 @@ class HeldNumber {
     choose_method(engine_, start);
   }
 
-  /// The others on the line through the last two points, within their ranges.
+  /// The others on the line through the last two points, along the ridge where there is one, within
+  /// their ranges.
   FitPoint extrapolated(double value) const {
     const double a = before_.parameters(0, parameter_),
                  b = last_.parameters(0, parameter_);
     FitPoint start = last_;
-    const double fraction = a != b ? std::clamp((value - b) / (b - a), -2.0, 2.0) : 0.0;
-    start.parameters += fraction * (last_.parameters - before_.parameters);
-    start.starts += fraction * (last_.starts - before_.starts);
+    if (a == b) {
+      start.parameters += (value - b) * ridge_.parameters;
+      start.starts += (value - b) * ridge_.starts;
+    } else {
+      const double fraction = std::clamp((value - b) / (b - a), -2.0, 2.0);
+      start.parameters += fraction * (last_.parameters - before_.parameters);
+      start.starts += fraction * (last_.starts - before_.starts);
+    }
     for (Index p = 0; p < start.parameters.cols(); ++p)
       start.parameters.col(p) = start.parameters.col(p)
                                     .cwiseMax(unknowns_.lower[p])
@@ -194,6 +236,7 @@ class HeldNumber {
   Index substeps_;
   bool is_implicit_;
   std::vector<std::optional<ChannelNoise>> laws_, last_laws_;
+  FitPoint ridge_;
   std::optional<double> share_ = {};  ///< of degrees of freedom, where sizes are estimated anew
   FitPoint before_, last_;
   FitMinimum found_;
