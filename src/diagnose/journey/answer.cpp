@@ -143,6 +143,14 @@ void add_jitter_note(const Problem& problem, const Assimilation& fit, Diagnosis&
 
 namespace {
 
+/// Whether nothing but white noise stays in the records that were used.
+bool leaves_white_noise(const CompositeModel& composite, const DecisionOptions& decision) {
+  const auto& coloured = composite.explanation.fit.noise.coloured;
+  return !leaves_structure(composite, decision) &&
+         std::none_of(coloured.begin(), coloured.end(),
+                      [](const auto& channel) { return channel.has_value(); });
+}
+
 /// What other records show of effects that need not come again there.
 HoldoutEvaluation evaluate_passing_effects(const Problem& problem,
                                            const CompositeModel& composite, const Gap& gap,
@@ -166,6 +174,14 @@ HoldoutEvaluation evaluate_passing_effects(const Problem& problem,
             "what depends on time (" + names +
                 ") does not go on in the rest of the records: the part that was used does not "
                 "determine time from what moved in it"};
+  // A function of time follows whatever passed: nothing but its residual speaks for it.
+  if (!driven && std::all_of(effects.begin(), effects.end(), may_differ) &&
+      !leaves_white_noise(composite, problem.options.decision))
+    return {true, false,
+            "what depends on time (" + names +
+                ") leaves more than white noise in the records that were used, and the others are "
+                "not explained by it: it gets no name",
+            true};
   return {false, true,
           "the records that were not used are not explained by " + names +
               ": the names hold for the records that were used"};

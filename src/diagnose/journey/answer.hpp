@@ -15,13 +15,15 @@ struct HoldoutEvaluation {
   bool withdraw = false;  ///< the names are refuted, or what stands without names
   bool lower = false;     ///< the names hold for the records that were used at best
   std::string note = {};  ///< empty: nothing
+  bool assumptions_too = false;  ///< what was assumed of the records is withdrawn with the names
 };
 
 /// Evaluates records that were not used. They never choose between composite models. What runs
 /// away from them is no model. Effects that need not come again (an input that was not
 /// measured, what depends on t) are kept where they do little, but for what depends on t where
 /// the others are the rest of the same records, and for an input of states that nobody
-/// measured, which follows whatever was measured.
+/// measured, which follows whatever was measured. What depends on t alone has to leave white noise
+/// then.
 /// @param continued whether the others are the rest of the records that were used.
 HoldoutEvaluation evaluate_holdout(const Problem& problem, const CompositeModel& composite,
                                    const std::optional<Gap>& gap, bool continued = false);

@@ -262,8 +262,9 @@ std::optional<CompositeModel> faults_alone(const Problem& problem,
   return refitted_with(problem, std::move(alone), faults);
 }
 
-CompositeModel without_claims(const Problem& problem, const CompositeModel& composite) {
-  if (!composite.named.empty()) return without_names(problem, composite);
+CompositeModel without_claims(const Problem& problem, const CompositeModel& composite,
+                              bool assumptions_too) {
+  if (!composite.named.empty() && !assumptions_too) return without_names(problem, composite);
   return bare_composite(problem, "coefficients-only",
                         std::make_shared<const Baseline>(plain_baseline(problem)));
 }

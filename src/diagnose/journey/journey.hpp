@@ -72,6 +72,8 @@ std::optional<CompositeModel> faults_alone(const Problem& problem,
 
 /// A composite model of which other records refuted what it names: without its effects, or
 /// where only assumptions have names the one of the plain baseline.
-CompositeModel without_claims(const Problem& problem, const CompositeModel& composite);
+/// @param assumptions_too whether it is that one in any case.
+CompositeModel without_claims(const Problem& problem, const CompositeModel& composite,
+                              bool assumptions_too);
 
 }  // namespace lacuna

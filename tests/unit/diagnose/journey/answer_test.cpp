@@ -171,6 +171,16 @@ TEST_F(Answer, WhatNeedNotComeAgainIsNotAskedForIt) {
   EXPECT_TRUE(evaluated(composite("sin(5*t)"), std::nullopt).lower) << "nothing was compared";
 }
 
+TEST_F(Answer, WhatOnlyOneRecordShowsHasToLeaveWhiteNoiseThere) {
+  const Gap worse = gap(10.0, 11.0);
+  EXPECT_TRUE(evaluated(composite("sin(5*t)", 10.0), worse).withdraw);
+  EXPECT_FALSE(evaluated(composite("sin(5*t)", 10.0), gap(10.0, 1.5)).withdraw);
+  CompositeModel remembering = composite("sin(5*t)");
+  remembering.explanation.fit.noise.coloured.resize(2);
+  remembering.explanation.fit.noise.coloured[1] = ColouredNoise{0.1, 2.0};
+  EXPECT_TRUE(evaluated(remembering, worse).withdraw);
+}
+
 TEST_F(Answer, WhatDependsOnTimeGoesOnInTheRestOfARecord) {
   EXPECT_TRUE(evaluated(composite("sin(5*t)"), gap(10.0, 9.0), true).withdraw);
   EXPECT_FALSE(evaluated(composite("sin(5*t)"), gap(10.0, 1.5), true).withdraw);

@@ -132,11 +132,12 @@ TEST_F(Journey, WhatOtherRecordsRefuteGoesNamesFirst) {
       bare_composite(problem, "second", std::make_shared<const Baseline>(assumed));
   composite.named = {{.equation = 1, .name = "dry"}};
   composite.findings = {{.equation = 1, .name = "late"}};
-  const CompositeModel nameless = without_claims(problem, composite);
+  const CompositeModel nameless = without_claims(problem, composite, false);
   EXPECT_TRUE(nameless.named.empty());
   EXPECT_EQ(nameless.findings.size(), 1u);
   EXPECT_EQ(nameless.base->parameters, 1.0) << "on the same assumption";
-  const CompositeModel plain = without_claims(problem, nameless);
+  EXPECT_EQ(without_claims(problem, composite, true).base->parameters, 0.0);
+  const CompositeModel plain = without_claims(problem, nameless, false);
   EXPECT_TRUE(plain.findings.empty());
   EXPECT_EQ(plain.base->parameters, 0.0);
 }
