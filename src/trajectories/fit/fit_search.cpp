@@ -16,8 +16,6 @@
 namespace lacuna {
 namespace {
 
-constexpr double kExact = 1e-9;  // of the noise: residuals of a channel that is met to rounding
-
 /// Steps of a minimum: all residuals together change by less than this part of a deviation.
 constexpr double kFine = 0.2;
 
@@ -34,39 +32,6 @@ FitMinimum polished(FitEngine& engine, const FitUnknowns& unknowns, FitMinimum f
                     const FitSearchOptions& options, const RunContext& context) {
   if (!choose_substeps(engine, found.point, {}, kFine)) return found;
   return minimise(engine, unknowns, found.point, {}, options.most_iterations, context);
-}
-
-/// Whether sizes of a law are estimated and depend on where the model is.
-bool size_moves(const std::optional<ChannelNoise>& noise) {
-  if (!noise) return false;
-  const NoiseLaw& law = noise->law();
-  const bool is_open = (has_constant(law.form) && !law.constant) ||
-                       (has_fraction(law.form) && !law.fraction);
-  return is_open && (law.below || law.above);
-}
-
-/// -2 log-likelihood of the values of a channel, less a constant, with the size of its noise that
-/// is the best for a path.
-double channel_deviance(const FitEngine& engine, const FitPath& path, Index c) {
-  std::vector<Index> rows;
-  for (Index n = 0; n < path.residuals.rows(); ++n)
-    if (engine.records.valid(n, c) > 0.0) rows.push_back(n);
-  const Vector residuals = path.residuals(rows, c), measured = engine.records.values(rows, c);
-  double deviance = 0.0;
-  if (const auto& law = engine.laws[static_cast<std::size_t>(c)]) {
-    ChannelNoise sized = *law;
-    sized.estimate(measured, measured - residuals, 1.0);
-    for (Index i = 0; i < residuals.size(); ++i)
-      deviance -= 2.0 * sized.log_likelihood(measured[i], measured[i] - residuals[i]);
-  } else if (const Matrix& known = engine.records.deviations;
-             known.size() > 0 && known.col(c).maxCoeff() > 0.0) {
-    deviance = residuals.cwiseQuotient(known(rows, c)).squaredNorm();
-  } else if (!rows.empty()) {
-    const double rms = residuals.norm() / std::sqrt(static_cast<double>(residuals.size()));
-    deviance = 2.0 * static_cast<double>(residuals.size()) *
-               std::log(std::max(rms, kExact * engine.sigma[c]));
-  }
-  return deviance;
 }
 
 /// How far parameters are from others, as fractions of these.
@@ -114,53 +79,10 @@ bool is_cheap(const FitEngine& engine) {
 
 }  // namespace
 
-double deviance_of(const FitEngine& engine, const FitUnknowns& unknowns,
-                   const FitMinimum& minimum) {
-  if (!std::isfinite(minimum.path.cost)) return std::numeric_limits<double>::infinity();
-  double deviance =
-      total_cost(unknowns, minimum.point, minimum.path) - minimum.path.cost;  // of priors
-  for (Index c = 0; c < engine.count(); ++c)
-    deviance += channel_deviance(engine, minimum.path, c);
-  return deviance;
-}
-
 int usual_range_starts(const FitEngine& engine) {
   // Decisions: one in seven of them comes to the best minimum of published problems.
   constexpr int kUsual = 60, kWithMany = 10;
   return is_cheap(engine) ? kUsual : kWithMany;
-}
-
-bool sizes_move(const FitEngine& engine) {
-  return std::any_of(engine.laws.begin(), engine.laws.end(), size_moves);
-}
-
-double take_sizes(FitEngine& engine, const FitUnknowns& unknowns, const FitPath& path) {
-  const Vector sigma =
-      residual_rms(engine, unknowns, path).cwiseMax(kExact * engine.sigma);
-  const double change =
-      std::max((sigma.array() / engine.sigma.array()).log().abs().maxCoeff(),
-               estimate_laws(engine, unknowns, path));
-  engine.sigma = sigma;
-  return change;
-}
-
-double estimate_laws(FitEngine& engine, const FitUnknowns& unknowns, const FitPath& path) {
-  const double all = degrees_of_freedom(engine, unknowns) /
-                     std::max(1.0, engine.records.valid.sum());
-  double change = 0.0;
-  for (Index c = 0; c < engine.count(); ++c) {
-    auto& law = engine.laws[static_cast<std::size_t>(c)];
-    if (!law) continue;
-    std::vector<Index> rows;
-    for (Index n = 0; n < path.residuals.rows(); ++n)
-      if (engine.records.valid(n, c) > 0.0) rows.push_back(n);
-    const Vector measured = engine.records.values(rows, c);
-    const double usual = engine.records.channels[static_cast<std::size_t>(c)].spread;
-    const double before = law->deviation(usual);
-    law->estimate(measured, measured - path.residuals(rows, c), size_moves(law) ? 1.0 : all);
-    change = std::max(change, std::abs(std::log(law->deviation(usual) / before)));
-  }
-  return change;
 }
 
 FitMinimum reweighted(FitEngine& engine, const FitUnknowns& unknowns, FitMinimum found,
@@ -211,16 +133,6 @@ bool check_by_implicit_steps(FitEngine& engine, FitMinimum& minimum, double smal
   }
   minimum.path = std::move(exact);
   return true;
-}
-
-Vector residual_rms(const FitEngine& engine, const FitUnknowns& unknowns, const FitPath& path) {
-  const double all = engine.records.valid.sum();
-  const double fraction = degrees_of_freedom(engine, unknowns) / std::max(1.0, all);
-  Vector rms(path.residuals.cols());
-  for (Index c = 0; c < rms.size(); ++c)
-    rms[c] = path.residuals.col(c).norm() /
-             std::sqrt(std::max(1.0, fraction * engine.records.valid.col(c).sum()));
-  return rms;
 }
 
 Disturbances disturbances_of(const FitEngine& engine, const FitPath& path, double fraction) {
@@ -416,12 +328,13 @@ FitMinimum settled(FitEngine& engine, const FitUnknowns& unknowns, FitMinimum fo
   return found;
 }
 
-}  // namespace
-
-FitSearch search_fit(FitEngine& engine, const FitUnknowns& unknowns, const FitPoint& start,
-                     const FitSearchOptions& options, const RunContext& context) {
-  choose_method(engine, start);
+/// The fit from several starts, with sizes of the noise and steps that belong to it.
+/// @param met_noise receives whether it came to the noise by the steps of the search.
+FitSearch settled_search(FitEngine& engine, const FitUnknowns& unknowns, const FitPoint& start,
+                         const FitSearchOptions& options, const RunContext& context,
+                         bool& met_noise) {
   FitSearch search = from_several_starts(engine, unknowns, start, options, context);
+  met_noise = is_good(engine, unknowns, start, search.best, options);
   const RunContext needed = context.unhurried();
   if (std::isfinite(search.best.path.cost)) take_sizes(engine, unknowns, search.best.path);
   if (leave_implicit_steps(engine, search.best.point)) {
@@ -438,6 +351,22 @@ FitSearch search_fit(FitEngine& engine, const FitUnknowns& unknowns, const FitPo
   }
   search.best = std::move(exact);
   return search;
+}
+
+}  // namespace
+
+FitSearch search_fit(FitEngine& engine, const FitUnknowns& unknowns, const FitPoint& start,
+                     const FitSearchOptions& options, const RunContext& context) {
+  choose_method(engine, start);
+  const Vector sigma = engine.sigma;
+  const auto laws = engine.laws;
+  bool met_noise = false;
+  FitSearch search = settled_search(engine, unknowns, start, options, context, met_noise);
+  if (!met_noise || is_good(engine, unknowns, start, search.best, options)) return search;
+  // What met the noise was the model with steps that are too long: again with those that are not.
+  engine.sigma = sigma;
+  engine.laws = laws;
+  return settled_search(engine, unknowns, start, options, context, met_noise);
 }
 
 }  // namespace lacuna

@@ -35,24 +35,44 @@ TEST(SearchFit, ARangeThatIsNotWideIsNotLeft) {
   EXPECT_LE(found.starts, 11) << "the given ones and eight others";
 }
 
+/// Predators that are sated: prey grows 10 000 times, and noise hides what it begins with.
+Dataset sated_predators(std::uint64_t seed) {
+  return support::grey_box(
+      parse_ode("dx/dt = 1.1*x - 0.5*x*z/(1+0.3*x)\n"
+                "dz/dt = 0.3*x*z/(1+0.3*x) - 0.4*z\ny = x\nw = z\n",
+                "truth.ode"),
+      {.start = Vector{{3.0, 2.0}}, .step = 0.25, .samples = 40, .noise = 0.03, .seed = seed});
+}
+
+/// The fit with the seed of the record.
+Fit fitted(const std::string& text, std::uint64_t seed) {
+  RunContext context;
+  context.seed = seed;
+  return fit(parse_ode_system(text, "m.ode"), sated_predators(seed), {}, {}, context);
+}
+
 // Prey that is eaten in spikes, where explicit steps find a minimum that shorter ones do not have.
 TEST(SearchFit, WhatLongStepsLedAwayEndsWithAFiniteRun) {
-  const OdeModel truth = parse_ode(
-      "dx/dt = 1.1*x - 0.5*x*z/(1+0.3*x)\ndz/dt = 0.3*x*z/(1+0.3*x) - 0.4*z\ny = x\nw = z\n",
-      "truth.ode");
-  const Dataset record = support::grey_box(
-      truth,
-      {.start = Vector{{3.0, 2.0}}, .step = 0.25, .samples = 40, .noise = 0.03, .seed = 42});
-  const SystemModel model = parse_ode_system(
+  const Fit found = fitted(
       "param a = 1.1 in 0.01..20\nparam b = 0.4 in 0.01..20\nparam c = 0.2 in 0.01..20\n"
       "param d = 0.4 in 0.01..20\ndx/dt = a*x - b*x*z\ndz/dt = c*x*z - d*z\ny = x\nw = z\n",
-      "m.ode");
-  RunContext context;
-  context.seed = 42;
-  const Fit found = fit(model, record, {}, {}, context);
+      42);
   ASSERT_FALSE(found.quality.empty());
   for (const FitQuality& quality : found.quality) EXPECT_TRUE(std::isfinite(quality.rmse));
   EXPECT_EQ(found.adequacy.fits, Adequate::No);
+}
+
+// One step for each sample meets the noise elsewhere than the model does, from the true numbers,
+// with which the model itself leaves 127 and 1.59.
+TEST(SearchFit, WhatOnlyLongStepsMakeOfAModelIsNoFit) {
+  const Fit found = fitted(
+      "param a = 1.1 in 0.01..20\nparam b = 0.5 in 0.01..20\nparam h = 0.3 in 0.001..20\n"
+      "param c = 0.3 in 0.01..20\nparam d = 0.4 in 0.01..20\n"
+      "dx/dt = a*x - b*x*z/(1+h*x)\ndz/dt = c*x*z/(1+h*x) - d*z\ny = x\nw = z\n",
+      44);
+  ASSERT_EQ(found.quality.size(), 2u);
+  EXPECT_LT(found.quality[0].rmse, 130.0);
+  EXPECT_LT(found.quality[1].rmse, 1.65);
 }
 
 }  // namespace
