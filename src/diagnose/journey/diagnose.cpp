@@ -192,7 +192,7 @@ EvaluatedComposite evaluated_on(const Records& records, const Problem& problem,
     if (evaluated.evaluation.withdraw) {
       evaluated.withdrawn.push_back(evaluated.evaluation.note);
       evaluated.judged.best = without_claims(problem, evaluated.judged.best,
-                                                evaluated.evaluation.assumptions_too);
+                                             evaluated.evaluation.assumptions_too);
     } else if (auto alone = faults_that_suffice(problem, evaluated, records.check)) {
       evaluated.withdrawn.push_back(
           "effects of the dynamics beside the fault of a sensor make a minor difference to the "

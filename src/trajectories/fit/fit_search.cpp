@@ -329,12 +329,10 @@ FitMinimum settled(FitEngine& engine, const FitUnknowns& unknowns, FitMinimum fo
 }
 
 /// The fit from several starts, with sizes of the noise and steps that belong to it.
-/// @param met_noise receives whether it came to the noise by the steps of the search.
 FitSearch settled_search(FitEngine& engine, const FitUnknowns& unknowns, const FitPoint& start,
-                         const FitSearchOptions& options, const RunContext& context,
-                         bool& met_noise) {
+                         const FitSearchOptions& options, const RunContext& context) {
   FitSearch search = from_several_starts(engine, unknowns, start, options, context);
-  met_noise = is_good(engine, unknowns, start, search.best, options);
+  search.met_noise = is_good(engine, unknowns, start, search.best, options);
   const RunContext needed = context.unhurried();
   if (std::isfinite(search.best.path.cost)) take_sizes(engine, unknowns, search.best.path);
   if (leave_implicit_steps(engine, search.best.point)) {
@@ -360,13 +358,12 @@ FitSearch search_fit(FitEngine& engine, const FitUnknowns& unknowns, const FitPo
   choose_method(engine, start);
   const Vector sigma = engine.sigma;
   const auto laws = engine.laws;
-  bool met_noise = false;
-  FitSearch search = settled_search(engine, unknowns, start, options, context, met_noise);
-  if (!met_noise || is_good(engine, unknowns, start, search.best, options)) return search;
+  FitSearch search = settled_search(engine, unknowns, start, options, context);
+  if (!search.met_noise || is_good(engine, unknowns, start, search.best, options)) return search;
   // What met the noise was the model with steps that are too long: again with those that are not.
   engine.sigma = sigma;
   engine.laws = laws;
-  return settled_search(engine, unknowns, start, options, context, met_noise);
+  return settled_search(engine, unknowns, start, options, context);
 }
 
 }  // namespace lacuna

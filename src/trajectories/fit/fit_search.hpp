@@ -16,6 +16,7 @@ struct FitSearch {
   /// Whether filters meet the noise with next to no disturbance and no free run does: the model
   /// is chaotic over so long a record, and other starts come to no more.
   bool departs = false;
+  bool met_noise = false;  ///< whether it came to the noise by the steps of the search
 };
 
 /// Minima whose deviances differ by less for each value are taken for one: 1 % of the sum of

@@ -9,7 +9,9 @@
 namespace lacuna {
 namespace {
 
-constexpr double kExact = 1e-9;  // of the noise: residuals of a channel that is met to rounding
+/// A fact of rounding: residuals of a channel that is met exactly are this part of its noise.
+constexpr double kExact = 1e-9;
+
 /// Whether sizes of a law are estimated and depend on where the model is.
 bool size_moves(const std::optional<ChannelNoise>& noise) {
   if (!noise) return false;
