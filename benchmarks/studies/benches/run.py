@@ -21,7 +21,8 @@ import zlib
 
 import numpy as np
 
-import later  # noqa: F401  registers its benches
+import coupled  # noqa: F401  registers its benches
+import later  # noqa: F401
 import machines  # noqa: F401
 import passing  # noqa: F401
 import plants  # noqa: F401
