@@ -46,20 +46,48 @@ Baseline with_free(const Problem& problem, const Baseline& base,
   return next;
 }
 
-/// Those of the further coefficients that are significantly other than the model says.
-std::vector<CoefficientPlace> contradicted(const Problem& problem, const Baseline& freed,
-                                           const std::vector<CoefficientPlace>& further) {
-  const Assimilation& fit = freed.fitted;
-  if (fit.free.size() < further.size()) return {};  // the records determine none of them
-  const std::size_t first = fit.free.size() - further.size();
-  std::vector<CoefficientPlace> moved;
+/// Where a coefficient that was held comes to.
+struct Freed {
+  double change = 0.0;  ///< from what the model says
+  double error = 0.0;   ///< standard
+  bool determined = false;
+};
+
+/// @param first row of the first of the further coefficients among those that are free.
+std::vector<Freed> freed_in(const Problem& problem, const Assimilation& fit, std::size_t first,
+                            const std::vector<CoefficientPlace>& further) {
+  std::vector<Freed> all(further.size());
+  if (fit.free.size() < first + further.size()) return all;  // the records determine none
   for (std::size_t i = 0; i < further.size(); ++i) {
     const auto row = static_cast<Index>(first + i);
-    const double change = std::abs(term_at(fit.model, further[i]).coefficient -
-                                   term_at(problem.nominal, further[i]).coefficient);
-    const double error = std::sqrt(std::max(0.0, fit.covariance(row, row)));
-    if (!is_held(fit, row) && change > problem.options.decision.significance * error)
-      moved.push_back(further[i]);
+    all[i] = {term_at(fit.model, further[i]).coefficient -
+                  term_at(problem.nominal, further[i]).coefficient,
+              std::sqrt(std::max(0.0, fit.covariance(row, row))), !is_held(fit, row)};
+  }
+  return all;
+}
+
+/// Those of the further coefficients that are significantly other than the model says. Not one
+/// that comes back beside the effects of the best composite model: these explain what it did.
+std::vector<CoefficientPlace> contradicted(const Problem& problem, const CompositeModel& best,
+                                           const Baseline& freed,
+                                           const std::vector<CoefficientPlace>& further) {
+  const std::size_t first = best.base->fit_options.free.size();
+  const double significance = problem.options.decision.significance;
+  const std::vector<Freed> alone = freed_in(problem, freed.fitted, first, further);
+  std::vector<Freed> beside(further.size());
+  if (const auto& effects = best.explanation.effects; !effects.empty()) {
+    const Explanation fit = explain_on(problem, freed, freed.fitted, effects);
+    if (std::isfinite(fit.fit.deviance)) beside = freed_in(problem, fit.fit, first, further);
+  }
+  std::vector<CoefficientPlace> moved;
+  for (std::size_t i = 0; i < further.size(); ++i) {
+    const bool moves =
+        alone[i].determined && std::abs(alone[i].change) > significance * alone[i].error;
+    const double limit = significance * beside[i].error;
+    const bool comes_back = beside[i].determined && std::abs(beside[i].change) <= limit &&
+                            std::abs(alone[i].change - beside[i].change) > limit;
+    if (moves && !comes_back) moved.push_back(further[i]);
   }
   return moved;
 }
@@ -85,7 +113,7 @@ Proposals HeldCoefficients::do_propose(const Problem& problem,
   if (held.empty() || !is_anything_missing(problem, best)) return {};
   problem.context.report("fitting coefficients that the model holds", 0.0);
   Baseline freed = with_free(problem, base, held);
-  const std::vector<CoefficientPlace> moved = contradicted(problem, freed, held);
+  const std::vector<CoefficientPlace> moved = contradicted(problem, best, freed, held);
   if (moved.empty()) return {};
   if (moved.size() < held.size()) freed = with_free(problem, base, moved);
   freed.notes.push_back(note_on(problem.nominal, moved));

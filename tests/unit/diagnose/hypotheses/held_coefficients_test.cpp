@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "lacuna/diagnose/journey/diagnose.hpp"
 #include "support/asked.hpp"
 #include "support/assimilated_oscillator.hpp"
@@ -55,6 +57,25 @@ TEST(HeldCoefficients, WhatTheRecordsDoNotContradictStaysHeld) {
   EXPECT_TRUE(HeldCoefficients()
                   .propose(nothing_missing.problem(), nothing_missing.bare())
                   .composites.empty());
+}
+
+TEST(HeldCoefficients, WhatEffectsExplainContradictsNone) {
+  const auto drag = [](double, double, double v) { return -1.2 * v * std::abs(v); };
+  const support::Asked asked = asked_of(drag, 1.0);
+  CompositeModel composite = asked.bare();
+  EXPECT_EQ(HeldCoefficients().propose(asked.problem(), composite).composites.size(), 1u)
+      << "without the drag a smaller force does a part of it";
+  const FittedEffect effect{support::plain_candidate("v*abs(v)"), Vector(0), -1.2, 0.0};
+  composite.explanation =
+      explain_on(asked.problem(), *composite.base, composite.base->fitted, {effect});
+  composite.named = {{.equation = 1, .name = "drag"}};
+  EXPECT_TRUE(HeldCoefficients().propose(asked.problem(), composite).composites.empty());
+  const support::Asked shown = asked_of(drag, 1.25);
+  composite.base = shown.baseline();
+  composite.explanation = explain_on(shown.problem(), *composite.base, composite.base->fitted,
+                                     composite.explanation.effects);
+  EXPECT_EQ(HeldCoefficients().propose(shown.problem(), composite).composites.size(), 1u)
+      << "a load cell that shows a quarter too much is off beside the drag as well";
 }
 
 TEST(HeldCoefficients, IdentitiesAreNotTouched) {
