@@ -27,6 +27,14 @@ Expression product_of(const std::vector<Expression>& factors) {
   return product;
 }
 
+/// What a product is made of, powers as they are.
+std::vector<Expression> operands_of(const Expression& product) {
+  if (product.operation() != Operation::Multiply) return {product};
+  std::vector<Expression> all = operands_of(product.operands()[0]);
+  for (Expression& factor : operands_of(product.operands()[1])) all.push_back(std::move(factor));
+  return all;
+}
+
 /// A power with one factor less.
 Expression lowered(const Expression& power) {
   const Expression& x = power.operands()[0];
@@ -274,6 +282,26 @@ std::vector<TermFactor> factors_of(const Expression& term) {
   collect_factors(term, {}, result);
   std::erase_if(result, [](const TermFactor& factor) { return !varies(factor.rest); });
   return result;
+}
+
+std::optional<Expression> common_factor(const Scope& scope, Index equation) {
+  const Equation& terms = terms_of(scope.model, equation);
+  if (terms.size() < 2) return std::nullopt;
+  std::vector<Expression> common = operands_of(terms.front().term.expression());
+  for (const WeightedTerm& summand : terms) {
+    std::vector<Expression> left = operands_of(summand.term.expression());
+    std::erase_if(common, [&](const Expression& factor) {
+      const auto place = std::find(left.begin(), left.end(), factor);
+      if (place == left.end()) return true;
+      left.erase(place);
+      return false;
+    });
+  }
+  std::erase_if(common, [](const Expression& factor) {
+    return !varies(factor) || is_variable(factor) || is_whole_power(factor);
+  });
+  if (common.empty()) return std::nullopt;
+  return product_of(common);
 }
 
 Expression right_hand_side(const Scope& scope, Index equation) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -79,6 +80,10 @@ struct TermFactor {
 /// The factors of a term: of x*z x and z, of x^3 x beside x^2; none where it is no product of
 /// several that vary.
 std::vector<TermFactor> factors_of(const Expression& term);
+
+/// What all terms of an equation are multiplied with beside powers of variables: 1/h of
+/// dT/dt = (q*Te - q*T)/h, a volume or an inertia that changes. Nothing in equations of one term.
+std::optional<Expression> common_factor(const Scope& scope, Index equation);
 
 /// All terms of an equation with their nominal coefficients as one formula.
 Expression right_hand_side(const Scope& scope, Index equation);

@@ -34,6 +34,27 @@ TEST(LinearTerm, IsWhatTheEquationHasNot) {
   EXPECT_EQ(forms_of<kLinearTerm>(product(), 1), (Forms{"x", "y"}));
 }
 
+/// A mixed tank: dT/dt = (2 q - q T)/h.
+Scope mixed() {
+  return scope_of(model_of_lines(
+      {{"T", {{"q*h^-1", 2.0}, {"q*T*h^-1", -1.0}}}, {"h", {{"q", 1.0}}}}, {"q"}));
+}
+
+TEST(LinearTerm, IsDividedByWhatTheWholeEquationIs) {
+  EXPECT_EQ(forms_of<kLinearTerm>(mixed(), 0), (Forms{"T", "h", "q", "h^-1*T"}));
+  EXPECT_EQ(forms_of<kConstantOffset>(mixed(), 0), (Forms{"1", "h^-1"}));
+  const auto sentence = [](const auto& reading) { return reading ? reading->sentence : ""; };
+  EXPECT_EQ(sentence(reading_of<kLinearTerm>(
+                mixed(), candidate_of<kLinearTerm>(mixed(), 0, "h^-1*T"), 1.0)),
+            "linear term in T, with the h^-1 that all terms have");
+  EXPECT_EQ(sentence(reading_of<kConstantOffset>(
+                mixed(), candidate_of<kConstantOffset>(mixed(), 0, "h^-1"), 1.0)),
+            "constant offset of dT/dt, with the h^-1 that all terms have");
+  Candidate other = candidate_of<kLinearTerm>(mixed(), 0, "h^-1*T");
+  other.equation = 1;
+  EXPECT_FALSE(reading_of<kLinearTerm>(mixed(), other, 1.0)) << "dh/dt is divided by nothing";
+}
+
 TEST(LinearTerm, IsThePlainWord) {
   const Candidate path = candidate_of<kLinearTerm>(product(), 0, "u");
   EXPECT_EQ(reading_of<kLinearTerm>(product(), path, 1.0)->precedence, Precedence::Plain);

@@ -130,6 +130,21 @@ TEST(EffectTerms, FactorsOfProductsAndPowers) {
   EXPECT_EQ(factors("2*w1"), std::vector<std::string>{});
 }
 
+TEST(EffectTerms, WhatAllTermsAreDividedBy) {
+  const auto common = [](const std::vector<std::string>& terms) {
+    std::vector<std::pair<std::string, double>> lines;
+    for (const std::string& term : terms) lines.emplace_back(term, 1.0);
+    const Scope scope = scope_of(model_of_lines({{"T", lines}, {"h", {}}}, {"q"}));
+    const auto factor = common_factor(scope, 0);
+    return factor ? factor->to_string() : "";
+  };
+  EXPECT_EQ(common({"q*h^-1", "h^-1*q*T"}), "h^-1") << "q is a factor that others may lack";
+  EXPECT_EQ(common({"q*h^-1*cos(T)", "cos(T)*h^-1"}), "h^-1*cos(T)");
+  EXPECT_EQ(common({"q/(1+h)", "T/(1+h)", "T"}), "");
+  EXPECT_EQ(common({"h*q", "h*T"}), "") << "products of variables are terms of their own";
+  EXPECT_EQ(common({"q/h"}), "") << "one term has everything in common with itself";
+}
+
 TEST(EffectTerms, VelocitiesAreRatesByIdentity) {
   EXPECT_TRUE(is_velocity(support::oscillator_scope(), 1));
   EXPECT_FALSE(is_velocity(drive(), 0));
