@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
+#include <optional>
+#include <vector>
+
 #include "lacuna/diagnose/hypotheses/hypothesis.hpp"
 
 namespace lacuna {
@@ -22,5 +26,16 @@ class ResidualFunction final : public Configured<Hypothesis, NoOptions<kResidual
   Phase do_phase() const override { return Phase::Residual; }
   Proposals do_propose(const Problem& problem, const CompositeModel& best) const override;
 };
+
+/// Effects of one equation and one argument, and what was better in their place.
+struct WrongShapes {
+  std::vector<std::size_t> effects;  ///< their places in the explanation, in order
+  Rival curve;                       ///< the curve, for the trail
+};
+
+/// Effects that are functions of one argument and leave structure, where a free curve (a cubic
+/// spline) of this argument in their place leaves none and is better beyond doubt, whatever it
+/// costs. Such records show of what the rate is a function, and that it is none of those named.
+std::optional<WrongShapes> wrong_shapes(const Problem& problem, const CompositeModel& composite);
 
 }  // namespace lacuna

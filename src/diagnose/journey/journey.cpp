@@ -8,6 +8,7 @@
 #include "core/base/text.hpp"
 #include "diagnose/criterion/effect_parts.hpp"
 #include "diagnose/hypotheses/input_noise.hpp"
+#include "diagnose/hypotheses/residual_function.hpp"
 #include "lacuna/core/statistics/interval.hpp"
 #include "reservations.hpp"
 
@@ -140,6 +141,19 @@ CompositeModel refitted_with(const Problem& problem, CompositeModel composite,
   return composite;
 }
 
+/// The composite model without some of its effects, the others fitted again.
+CompositeModel without_effects(const Problem& problem, CompositeModel composite,
+                               const std::vector<std::size_t>& places) {
+  std::vector<FittedEffect> rest = composite.explanation.effects;
+  for (auto e = places.rbegin(); e != places.rend(); ++e) {
+    const auto place = static_cast<std::ptrdiff_t>(*e);
+    rest.erase(rest.begin() + place);
+    composite.named.erase(composite.named.begin() + place);
+  }
+  if (rest.empty()) return without_names(problem, composite);
+  return refitted_with(problem, std::move(composite), rest);
+}
+
 /// The composite model without the effects that cannot carry names, the others fitted again.
 CompositeModel with_founded_names(const Problem& problem, CompositeModel composite,
                                   std::vector<Rival>& trail) {
@@ -150,13 +164,18 @@ CompositeModel with_founded_names(const Problem& problem, CompositeModel composi
       continue;
     }
     trail.push_back(*std::move(rival));
-    const auto place = static_cast<std::ptrdiff_t>(e);
-    std::vector<FittedEffect> rest = composite.explanation.effects;
-    rest.erase(rest.begin() + place);
-    if (rest.empty()) return without_names(problem, composite);
-    composite.named.erase(composite.named.begin() + place);
-    composite = refitted_with(problem, std::move(composite), rest);
+    composite = without_effects(problem, std::move(composite), {e});
     e = 0;
+  }
+  return composite;
+}
+
+/// The composite model without the names of functions that a free curve shows to be others.
+CompositeModel with_right_shapes(const Problem& problem, CompositeModel composite,
+                                 std::vector<Rival>& trail) {
+  while (auto wrong = wrong_shapes(problem, composite)) {
+    trail.push_back(std::move(wrong->curve));
+    composite = without_effects(problem, std::move(composite), wrong->effects);
   }
   return composite;
 }
@@ -234,8 +253,10 @@ Judged choose_composite(const Problem& problem, const Hypotheses& hypotheses, Ju
 }
 
 Judged settle_composite(const Problem& problem, const Hypotheses& hypotheses, Judged so_far) {
-  so_far.best = with_founded_names(
-      problem, with_claims(problem, std::move(so_far.best), so_far.trail), so_far.trail);
+  std::vector<Rival>& trail = so_far.trail;
+  so_far.best = with_claims(problem, std::move(so_far.best), trail);
+  so_far.best = with_founded_names(problem, std::move(so_far.best), trail);
+  so_far.best = with_right_shapes(problem, std::move(so_far.best), trail);
   return judge_phase(problem, hypotheses, Phase::Residual, std::move(so_far));
 }
 

@@ -116,13 +116,16 @@ FunctionBasis lines(const Scope& scope, Index equation) {
 
 }  // namespace
 
+std::vector<FunctionBasis> curves_of(const VariableRange& x, Index equation) {
+  return {curve(x, kFewPieces, equation), curve(x, kManyPieces, equation)};
+}
+
 std::vector<FunctionBasis> present_functions(const Assimilation& fit, const Scope& scope,
                                              Index equation) {
   std::vector<FunctionBasis> bases;
   for (std::size_t i = 0; i < scope.variables.size(); ++i) {
     const VariableRange& x = scope.variables[i];
-    bases.push_back(curve(x, kFewPieces, equation));
-    bases.push_back(curve(x, kManyPieces, equation));
+    for (FunctionBasis& basis : curves_of(x, equation)) bases.push_back(std::move(basis));
     bases.push_back(varying(scope, x, equation));
     if (const auto period = best_period(fit, equation, static_cast<Index>(i)))
       bases.push_back(harmonics(x, *period, equation));

@@ -29,6 +29,9 @@ struct FunctionBasis {
   double tried = 1.0;  ///< number of such bases of which this one is the best
 };
 
+/// Curves of one variable, with few and with many pieces.
+std::vector<FunctionBasis> curves_of(const VariableRange& x, Index equation);
+
 /// Curves, surfaces and varying coefficients of all variables in an equation: functions of what
 /// is known at a time.
 /// @param fit of the bare model: what its disturbance repeats with is found in it.
