@@ -227,19 +227,6 @@ class Requirements {
   Vector rates_;
 };
 
-/// How many of the first effects may still come to be the best in an exact fit, which moves
-/// shapes, too.
-std::size_t within_reach(const std::vector<RankedEffect>& sorted, std::size_t first,
-                         double undecided) {
-  // A fact of the search: in 884 exact fits of 150 records none came within `undecided` of the
-  // best whose gain had been less than half of it before.
-  constexpr double kMostGrowth = 3.0;
-  if (sorted.empty() || !(sorted.front().gain > undecided)) return first;
-  const double least = sorted.front().gain / kMostGrowth;
-  while (first > 0 && sorted[first - 1].gain < least) --first;
-  return first;
-}
-
 RoughRanking rank_roughly(const EffectSearch& search, const Explanation& current,
                           const Requirements& required, const ShortList& shortened) {
   const RunContext& context = search.problem.context;
@@ -266,9 +253,8 @@ RoughRanking rank_roughly(const EffectSearch& search, const Explanation& current
   sort_by_criterion(rough.effects);
   const std::size_t leaders = keep_leaders(
       rough.effects, [&](const RankedEffect& ranked) { return required.plausible(ranked); });
-  const auto most = leaders + static_cast<std::size_t>(decision.exact_fits);
-  rough.exact = within_reach(rough.effects, std::min(rough.effects.size(), most),
-                             decision.undecided);
+  rough.exact =
+      std::min(rough.effects.size(), leaders + static_cast<std::size_t>(decision.exact_fits));
   return rough;
 }
 

@@ -92,10 +92,17 @@ bool has_form(const FoundEffects& found, const Candidate& form,
   return false;
 }
 
+/// Another form in the place of an effect. It was found beside fewer effects than there are now:
+/// its memory gets names that the others do not have.
 Explanation with_form(const EffectSearch& search, const FoundEffects& found, std::size_t e,
                       const FittedEffect& form) {
   std::vector<FittedEffect> effects = found.explanation.effects;
+  std::vector<std::string> taken = search.problem.nominal.variables().names();
+  for (std::size_t other = 0; other < effects.size(); ++other)
+    for (const MemoryState& memory : effects[other].candidate.memory)
+      if (other != e) taken.push_back(memory.name);
   effects[e] = form;
+  effects[e].candidate = without_clash(form.candidate, taken);
   return explain_from(search, found.explanation, effects);
 }
 
