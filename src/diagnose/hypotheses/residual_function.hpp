@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "lacuna/diagnose/hypotheses/hypothesis.hpp"
@@ -27,15 +28,23 @@ class ResidualFunction final : public Configured<Hypothesis, NoOptions<kResidual
   Proposals do_propose(const Problem& problem, const CompositeModel& best) const override;
 };
 
+/// A sine, a power and an exponential of a variable in an equation, each fitted on top of an
+/// explanation, as its last effect; the best by the criterion first. Those that fail are left out.
+std::vector<Explanation> fitted_formulas(const Problem& problem, const Baseline& base,
+                                         const Explanation& rest, Index equation,
+                                         const std::string& variable);
+
 /// Effects of one equation and one argument, and what was better in their place.
 struct WrongShapes {
   std::vector<std::size_t> effects;  ///< their places in the explanation, in order
-  Rival curve;                       ///< the curve, for the trail
+  Rival better;                      ///< what was better, for the trail
 };
 
-/// Effects that are functions of one argument and leave structure, where a free curve (a cubic
-/// spline) of this argument in their place leaves none and is better beyond doubt, whatever it
-/// costs. Such records show of what the rate is a function, and that it is none of those named.
+/// Effects that say of which argument a rate is a function, and how it bends, where something else
+/// in their place leaves no structure and is better beyond doubt, whatever it costs: a free curve
+/// (a cubic spline) of the argument where they leave structure, one formula of it
+/// (fitted_formulas()) where they are several. A plain term alone is the first of a series,
+/// whatever the function is, and keeps its name.
 std::optional<WrongShapes> wrong_shapes(const Problem& problem, const CompositeModel& composite);
 
 }  // namespace lacuna

@@ -2,11 +2,11 @@
 // Names that say of what a rate is a function, but not which function it is.
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <string>
 #include <utility>
 
 #include "diagnose/candidates/candidate_column.hpp"
+#include "diagnose/hypotheses/input_noise.hpp"
 #include "diagnose/hypotheses/residual_function.hpp"
 #include "diagnose/search/function_basis.hpp"
 
@@ -75,6 +75,58 @@ std::optional<CompositeModel> with_curve(const Problem& problem, const Composite
   return best;
 }
 
+/// The best formula of a variable on top of a composite model.
+std::optional<CompositeModel> with_formula(const Problem& problem, const CompositeModel& rest,
+                                           Index equation, const std::string& variable) {
+  std::vector<Explanation> fits =
+      fitted_formulas(problem, *rest.base, rest.explanation, equation, variable);
+  if (fits.empty()) return std::nullopt;
+  CompositeModel best = rest;
+  best.explanation = std::move(fits.front());
+  best.left = structure_left(problem, best.explanation.fit);
+  return best;
+}
+
+/// Functions of one argument in one equation.
+struct Group {
+  Index equation = 0;
+  std::string variable;
+  std::vector<std::size_t> effects;
+};
+
+std::vector<Group> groups_of(const Effects& effects) {
+  std::vector<Group> groups;
+  for (std::size_t e = 0; e < effects.size(); ++e) {
+    const auto argument = argument_of(effects[e]);
+    if (!argument) continue;
+    const auto known = std::find_if(groups.begin(), groups.end(), [&](const Group& group) {
+      return std::pair(group.equation, group.variable) == *argument;
+    });
+    if (known == groups.end())
+      groups.push_back({argument->first, argument->second, {e}});
+    else
+      known->effects.push_back(e);
+  }
+  return groups;
+}
+
+/// Whether a group says how a function bends: one of its forms has a shape, or they are several. A
+/// plain term alone is the first of a series, whatever the function is.
+bool says_how_it_bends(const Group& group, const Effects& effects) {
+  return group.effects.size() > 1 || effects[group.effects.front()].shapes.size() > 0;
+}
+
+/// All effects in the rate of a state, or those of a group alone.
+std::vector<std::vector<std::size_t>> replaced_for(const Group& group, const Effects& effects) {
+  std::vector<std::size_t> all;
+  for (std::size_t e = 0; e < effects.size(); ++e)
+    if (effects[e].candidate.place == Place::Rate &&
+        effects[e].candidate.equation == group.equation)
+      all.push_back(e);
+  if (all == group.effects) return {all};
+  return {std::move(all), group.effects};
+}
+
 }  // namespace
 
 std::optional<WrongShapes> wrong_shapes(const Problem& problem,
@@ -83,30 +135,29 @@ std::optional<WrongShapes> wrong_shapes(const Problem& problem,
   const Criterion& criterion = *problem.options.criterion;
   const Effects& effects = composite.explanation.effects;
   if (composite.named.size() != effects.size()) return std::nullopt;
-  std::map<std::pair<Index, std::string>, std::vector<std::size_t>> groups;
-  for (std::size_t e = 0; e < effects.size(); ++e)
-    if (const auto argument = argument_of(effects[e])) groups[*argument].push_back(e);
   const double own = criterion.value(evidence_of(composite));
-  for (const auto& [argument, places] : groups) {
-    const auto& [equation, variable] = argument;
-    if (!is_left_in(composite.left, equation, decision)) continue;
-    const auto other =
-        with_curve(problem, without(problem, composite, places), equation, variable);
-    if (!other) continue;
-    const double value = criterion.value(evidence_of(*other));
-    if (!(value < own - decision.undecided) || is_left_in(other->left, equation, decision))
-      continue;
-    const auto k = static_cast<std::size_t>(equation);
-    Rival rival{composite.hypothesis,
-                "a free curve of " + variable + " in d" + problem.nominal.states()[k].name +
-                    "/dt",
-                value,
-                true,
-                std::string(criterion.info().name),
-                value,
-                own};
-    rival.rule = "the curve leaves nothing, and the named shapes do";
-    return WrongShapes{places, std::move(rival)};
+  for (const Group& group : groups_of(effects)) {
+    const bool left = is_left_in(composite.left, group.equation, decision);
+    if (!(left ? says_how_it_bends(group, effects) : group.effects.size() > 1)) continue;
+    for (const std::vector<std::size_t>& places : replaced_for(group, effects)) {
+      const CompositeModel rest = without(problem, composite, places);
+      const auto other = (left ? with_curve : with_formula)(problem, rest, group.equation,
+                                                            group.variable);
+      if (!other || is_left_in(other->left, group.equation, decision)) continue;
+      const double value = criterion.value(evidence_of(*other));
+      if (!(value < own - decision.undecided)) continue;
+      const auto k = static_cast<std::size_t>(group.equation);
+      Rival rival{composite.hypothesis,
+                  (left ? "a free curve of " : "one formula of ") + group.variable + " in d" +
+                      problem.nominal.states()[k].name + "/dt",
+                  value,
+                  true,
+                  std::string(criterion.info().name),
+                  value,
+                  own};
+      rival.rule = "it leaves nothing, and none of the named functions is it";
+      return WrongShapes{places, std::move(rival)};
+    }
   }
   return std::nullopt;
 }

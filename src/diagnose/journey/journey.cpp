@@ -170,11 +170,11 @@ CompositeModel with_founded_names(const Problem& problem, CompositeModel composi
   return composite;
 }
 
-/// The composite model without the names of functions that a free curve shows to be others.
+/// The composite model without the names of functions that are others (wrong_shapes()).
 CompositeModel with_right_shapes(const Problem& problem, CompositeModel composite,
                                  std::vector<Rival>& trail) {
   while (auto wrong = wrong_shapes(problem, composite)) {
-    trail.push_back(std::move(wrong->curve));
+    trail.push_back(std::move(wrong->better));
     composite = without_effects(problem, std::move(composite), wrong->effects);
   }
   return composite;

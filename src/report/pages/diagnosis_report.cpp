@@ -167,7 +167,8 @@ Json unnamed_json(const Diagnosis& diagnosis) {
           {"explained", unnamed.explained},
           {"memory", unnamed.memory},
           {"periodic", unnamed.periodic},
-          {"stop_gap", unnamed.filled}};
+          {"stop_gap", unnamed.filled},
+          {"formula", unnamed.formula.empty() ? Json() : Json(unnamed.formula)}};
 }
 
 }  // namespace

@@ -154,6 +154,8 @@ void report_unnamed(const Diagnosis& diagnosis, const Unnamed& unnamed, Sentence
             join(unnamed.variables, " and ");
   if (unnamed.explained > 0.0)
     text += "; a curve explains " + percent(unnamed.explained) + " of it";
+  if (!unnamed.formula.empty())
+    text += ", and " + readable_formula(unnamed.formula, {}) + " as much";
   out.push_back(text + ".");
   if (unnamed.filled)
     out.push_back(

@@ -66,6 +66,7 @@ struct Unnamed {
   bool memory = false;     ///< earlier values of the variables determine more than present ones
   bool periodic = false;   ///< a few lines of the spectrum make up most of it
   bool filled = false;     ///< a black-box function stands in the augmented model
+  std::string formula = {};  ///< that says as much as the curve, where one does: "-12*sin(th)"
 };
 
 /// A composite model that was judged and what became of it: an entry of the trail.
