@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 // Formulas of one variable in the place of a free curve.
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 #include <string>
 #include <utility>
 
+#include "diagnose/candidates/candidate_column.hpp"
+#include "diagnose/candidates/screening.hpp"
 #include "diagnose/hypotheses/residual_function.hpp"
-#include "diagnose/hypotheses/rough_fits.hpp"
 
 namespace lacuna {
 namespace {
@@ -39,8 +39,8 @@ std::vector<double> geometric(double low, double high, int count) {
 }
 
 /// A sine, a power and an exponential of one variable. Their ranges are facts of the search: a
-/// sine of an eighth of a turn to two turns over the range of the variable, beyond which it is a
-/// cubic or what comes again; an exponential that grows by e^0.3 to e^12.
+/// sine of an eighth of a turn to four turns over the range of the variable, an exponential that
+/// grows by e^0.3 to e^12.
 std::vector<Candidate> formulas_of(const Scope& scope, const VariableRange& range,
                                    Index equation) {
   constexpr double kTurn = 2.0 * std::numbers::pi;
@@ -50,13 +50,13 @@ std::vector<Candidate> formulas_of(const Scope& scope, const VariableRange& rang
     return pattern_of(scope, x, equation, form, std::move(shapes));
   };
   std::vector<Candidate> all{
-      pattern("sin(wave*x+phase)", {{"wave", "", kTurn / (8.0 * span), 2.0 * kTurn / span, true},
+      pattern("sin(wave*x+phase)", {{"wave", "", kTurn / (8.0 * span), 4.0 * kTurn / span, true},
                                     {"phase", "rad", -kTurn, kTurn, false}}),
       pattern(range.changes_sign() ? "sign(x)*abs(x)^power" : "abs(x)^power",
               {{"power", "", 0.2, 5.0, true}})};
-  for (const double wave : geometric(kTurn / (6.0 * span), kTurn / span, 4))
+  for (double turns = 0.2; turns < 4.0; turns += 0.25)
     for (const double phase : {0.0, 0.25 * kTurn})
-      all[0].starts.push_back(Vector{{wave, phase}});
+      all[0].starts.push_back(Vector{{turns * kTurn / span, phase}});
   all[1].starts = {Vector::Constant(1, 0.5), Vector::Constant(1, 1.5), Vector::Constant(1, 2.5)};
   for (const char* form : {"exp(x/scale)", "exp(-x/scale)"}) {
     all.push_back(pattern(form, {{"scale", range.unit, span / 12.0, span / 0.3, true}}));
@@ -73,19 +73,14 @@ std::vector<Explanation> fitted_formulas(const Problem& problem, const Baseline&
                                          const std::string& variable) {
   const VariableRange range = base.scope.range_of(Expression::variable(variable));
   if (!(range.high > range.low) || !std::isfinite(rest.fit.deviance)) return {};
-  std::vector<FitStart> starts;
-  for (const Candidate& candidate : formulas_of(base.scope, range, equation))
-    for (const Vector& shapes : candidate.starts) {
-      starts.push_back({rest.effects, &rest.fit});
-      starts.back().effects.push_back({candidate, shapes, 0.0, 0.0});
-    }
   std::vector<Explanation> fits;
-  for (const Explanation& rough : rough_fits(problem, base, starts))
-    if (std::none_of(fits.begin(), fits.end(), [&](const Explanation& other) {
-          return are_one_form(other.effects.back().candidate, rough.effects.back().candidate);
-        }))
-      fits.push_back(rough);
-  for (Explanation& fit : fits) fit = explain_further_on(problem, base, fit);
+  for (const ScreenedCandidate& formula :
+       screen(formulas_of(base.scope, range, equation), Screening(rest.fit), {},
+              problem.context)) {
+    std::vector<FittedEffect> effects = rest.effects;
+    effects.push_back({formula.candidate, formula.shapes, formula.coefficient, 0.0});
+    fits.push_back(explain_on(problem, base, rest.fit, effects));
+  }
   std::erase_if(fits, [](const Explanation& fit) { return !std::isfinite(fit.fit.deviance); });
   std::sort(fits.begin(), fits.end(), [&](const Explanation& a, const Explanation& b) {
     return criterion_of(problem, base, a) < criterion_of(problem, base, b);

@@ -86,16 +86,22 @@ double variance_of(const Assimilation& fit, Index equation) {
   return fit.noise.disturbance[equation] * fit.noise.disturbance[equation];
 }
 
-/// The formula of a variable that says as much as a free curve, where no other one does; else "".
-std::string formula_of(const Problem& problem, const Baseline& base, const Unnamed& unnamed,
-                       const Explanation& curve) {
-  const std::vector<Explanation> fits = fitted_formulas(
-      problem, base, {{}, base.fitted}, unnamed.equation, unnamed.variables.front());
+/// The formula of a variable that says as much as a free curve, fitted, where no other one does.
+std::optional<Explanation> formula_of(const Problem& problem, const Baseline& base,
+                                      const Unnamed& unnamed, const Explanation& curve) {
+  std::vector<Explanation> fits = fitted_formulas(problem, base, {{}, base.fitted},
+                                                  unnamed.equation, unnamed.variables.front());
   const double undecided = problem.options.decision.undecided;
   const auto value = [&](const Explanation& fit) { return criterion_of(problem, base, fit); };
-  if (fits.empty() || !(value(fits[0]) < value(curve) + undecided)) return "";
-  if (fits.size() > 1 && value(fits[1]) < value(fits[0]) + undecided) return "";
-  return formula_with_numbers(fits[0].effects.back()).to_string();
+  if (fits.empty() || !(value(fits[0]) < value(curve) + undecided)) return std::nullopt;
+  if (fits.size() > 1 && value(fits[1]) < value(fits[0]) + undecided) return std::nullopt;
+  return std::move(fits[0]);
+}
+
+/// Whether what is said of the residual is a curve of one variable.
+bool is_curve(const Unnamed& unnamed, const FunctionBasis& basis) {
+  return basis.kind == FunctionBasis::Kind::Curve && unnamed.variables == basis.variables &&
+         !unnamed.memory && !unnamed.periodic;
 }
 
 /// Fits a function to the residual and says how much it explains.
@@ -115,13 +121,14 @@ void fit_function(const Problem& problem, const ScoredFunction& function,
   const double after = variance_of(filled.explanation.fit, unnamed.equation);
   unnamed.explained = std::clamp(1.0 - after / before, 0.0, 1.0);
   unnamed.filled = fill;
-  const bool is_curve = function.basis.kind == FunctionBasis::Kind::Curve &&
-                        unnamed.variables == function.basis.variables && !unnamed.memory &&
-                        !unnamed.periodic;
-  if (is_curve)
-    unnamed.formula = formula_of(problem, base, unnamed,
-                                 fill ? filled.explanation
-                                      : explain_further_on(problem, base, filled.explanation));
+  if (is_curve(unnamed, function.basis)) {
+    const Explanation curve =
+        fill ? filled.explanation : explain_further_on(problem, base, filled.explanation);
+    if (auto formula = formula_of(problem, base, unnamed, curve)) {
+      unnamed.formula = formula_with_numbers(formula->effects.back()).to_string();
+      filled.explanation = *std::move(formula);
+    }
+  }
   if (fill) composite.explanation = std::move(filled.explanation);
 }
 

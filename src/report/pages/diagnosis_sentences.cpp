@@ -155,12 +155,13 @@ void report_unnamed(const Diagnosis& diagnosis, const Unnamed& unnamed, Sentence
   if (unnamed.explained > 0.0)
     text += "; a curve explains " + percent(unnamed.explained) + " of it";
   if (!unnamed.formula.empty())
-    text += ", and " + readable_formula(unnamed.formula, {}) + " as much";
+    text += ", and " + readable_formula(unnamed.formula, {}) +
+            " as much: put it into the model and diagnose again";
   out.push_back(text + ".");
   if (unnamed.filled)
-    out.push_back(
-        "A spline stands in the augmented model as a stop-gap: it describes the "
-        "records and explains nothing.");
+    out.push_back(std::string(unnamed.formula.empty() ? "A spline" : "This formula") +
+                  " stands in the augmented model as a stop-gap: it describes the records and "
+                  "explains nothing.");
 }
 
 std::string gap_sentence(const Gap& gap) {

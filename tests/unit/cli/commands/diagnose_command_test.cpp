@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
@@ -51,6 +52,9 @@ class HiddenRecords {
 
 double friction(double, double, double v) { return v > 0.0 ? -0.3 : 0.3; }
 double ripple(double, double q, double) { return 1.5 * std::sin(6.0 * q); }
+double two_ripples(double t, double q, double v) {
+  return ripple(t, q, v) + 0.5 * std::cos(13.0 * q);
+}
 
 const std::vector<std::string> kTwoEffects{"--effect", "coulomb-friction", "--effect",
                                            "constant-offset"};
@@ -103,7 +107,7 @@ TEST(DiagnoseCommand, DoesNotDependOnTheNumberOfThreads) {
 }
 
 TEST(DiagnoseCommand, FillsTheGapWithASplineWhenAsked) {
-  const HiddenRecords records(ripple);
+  const HiddenRecords records(two_ripples);
   const auto plain = records.diagnose(with(kTwoEffects, {"--json", "-"}));
   const auto filled = records.diagnose(with(kTwoEffects, {"--json", "-", "--fill-gap"}));
   EXPECT_EQ(filled.status, 0) << filled.err;
@@ -113,10 +117,27 @@ TEST(DiagnoseCommand, FillsTheGapWithASplineWhenAsked) {
     EXPECT_EQ(json["verdict"], "unnamed-structure");
     EXPECT_EQ(json["unnamed"]["variables"], nlohmann::json::array({"q"}));
   }
+  EXPECT_TRUE(before["unnamed"]["formula"].is_null());
   EXPECT_FALSE(before["unnamed"]["stop_gap"].get<bool>());
   EXPECT_TRUE(after["unnamed"]["stop_gap"].get<bool>());
   EXPECT_GT(before["gap"]["ratio"].get<double>(), 0.9);
   EXPECT_LT(after["gap"]["ratio"].get<double>(), 0.5);
+}
+
+TEST(DiagnoseCommand, SaysAndFillsInTheFormulaOfWhatHasNoName) {
+  const HiddenRecords records(ripple);
+  const auto plain = records.diagnose(with(kTwoEffects, {}));
+  EXPECT_NE(plain.out.find("*q) as much"), std::string::npos) << plain.out;
+  const auto filled = records.diagnose(with(kTwoEffects, {"--json", "-", "--fill-gap"}));
+  EXPECT_EQ(filled.status, 0) << filled.err;
+  const auto after = nlohmann::json::parse(filled.out);
+  const std::string formula = after["unnamed"]["formula"];
+  EXPECT_NE(formula.find("*sin("), std::string::npos) << formula;
+  EXPECT_TRUE(after["unnamed"]["stop_gap"].get<bool>());
+  EXPECT_EQ(after["verdict"], "unnamed-structure") << "a formula is no cause";
+  EXPECT_LT(after["gap"]["after"].get<double>(),
+            1.5 * after["gap"]["noise_floor"].get<double>())
+      << after["gap"].dump();
 }
 
 TEST(DiagnoseCommand, TellsAWrongUnitOfTimeAndTakesTheRightOne) {

@@ -40,13 +40,14 @@ TEST(ResidualFunction, StandsInTheModelWhenAsked) {
   const CompositeModel& composite = made.composites[0].composite;
   EXPECT_TRUE(composite.unnamed->filled);
   EXPECT_TRUE(composite.named.empty());
-  // The sum of the splines with the part of q in the nominal term is what is hidden.
+  // The formula with the part of q in the nominal term is what is hidden.
   const LinearisedRecord& record = composite.explanation.fit.records[0];
   const Variables variables = asked.nominal.variables();
   const double more = composite.explanation.fit.model.coefficient(1, "q") + 4.0;
   Vector sum = more * evaluate_on(record, variables, parse_expression("q"));
   for (const FittedEffect& effect : composite.explanation.effects)
-    sum += effect.coefficient * evaluate_on(record, variables, effect.candidate.form);
+    sum += effect.coefficient *
+           evaluate_on(record, variables, bind_form(effect.candidate, as_span(effect.shapes)));
   const Vector hidden = evaluate_on(record, variables, parse_expression("1.5*sin(6*q)"));
   EXPECT_LT((sum - hidden).squaredNorm(), 0.02 * hidden.squaredNorm());
 }
