@@ -125,7 +125,7 @@ def summary(rows):
         "| median s | longest s |"
     ]
     lines.append("| --- " * 8 + "|")
-    for group in ("earlier", "new", "untouched", "later", "passing"):
+    for group in ("earlier", "new", "untouched", "later", "passing", "coupled"):
         chosen = [row for row in rows if row["group"] == group]
         if not chosen:
             continue
