@@ -150,8 +150,8 @@ def chain_of_three(rng):
     return Bench(time, channels_of(rng, ["x", "y", "z"], x, 1), {}, model)
 
 
-@bench("coupled", lacks=("w:missing-coupling", "w:linear-term", "w:cross-term", "w:cubic-stiffness",
-                         "w:cubic-term"))
+@bench("coupled", lacks=("w:missing-coupling", "w:linear-term", "w:cross-term",
+                         "w:cubic-stiffness", "w:cubic-term"))
 def arm_that_hangs(rng):
     """An arm on a motor whose current is measured; the model forgets its weight."""
     time = np.arange(3000) * 0.01
@@ -196,7 +196,7 @@ def plane_with_a_slow_rudder(rng):
 
 @bench("coupled")
 def converter_complete(rng):
-    """Current and voltage of a step-up converter, read by a coarse converter: nothing is missing."""
+    """Current and voltage of a step-up converter, coarsely read: nothing is missing."""
     time = np.arange(4000) * 1e-4
     duty, source = steps(rng, 4000, 0.2, 0.6, 60, 300), steps(rng, 4000, 10, 14, 200, 700)
 

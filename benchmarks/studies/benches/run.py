@@ -21,7 +21,8 @@ import zlib
 
 import numpy as np
 
-import coupled  # noqa: F401  registers its benches
+import afterwards  # noqa: F401  registers its benches
+import coupled  # noqa: F401
 import later  # noqa: F401
 import machines  # noqa: F401
 import passing  # noqa: F401
@@ -125,7 +126,7 @@ def summary(rows):
         "| median s | longest s |"
     ]
     lines.append("| --- " * 8 + "|")
-    for group in ("earlier", "new", "untouched", "later", "passing", "coupled"):
+    for group in ("earlier", "new", "untouched", "later", "passing", "coupled", "afterwards"):
         chosen = [row for row in rows if row["group"] == group]
         if not chosen:
             continue
