@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "diagnose/hypotheses/broken_identity.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <string>
@@ -67,8 +68,21 @@ std::vector<Freed> freed_in(const Problem& problem, const Assimilation& fit, std
   return all;
 }
 
+/// Whether an effect in the equation of a coefficient is a function of what stands behind it: it
+/// takes the place of its change.
+bool stands_for(const FittedEffect& effect, const OdeModel& nominal,
+                const CoefficientPlace& place) {
+  const auto names = term_at(nominal, place).term.expression().variables();
+  return effect.candidate.place == Place::Rate &&
+         effect.candidate.equation == place.equation &&
+         std::any_of(names.begin(), names.end(), [&](const std::string& name) {
+           return effect.candidate.depends_on(name);
+         });
+}
+
 /// Those of the further coefficients that are significantly other than the model says. Not one
-/// that comes back beside the effects of the best composite model: these explain what it did.
+/// that comes back beside the effects of the best composite model, none of which stands for it:
+/// these explain what it did.
 std::vector<CoefficientPlace> contradicted(const Problem& problem, const CompositeModel& best,
                                            const Baseline& freed,
                                            const std::vector<CoefficientPlace>& further) {
@@ -76,7 +90,8 @@ std::vector<CoefficientPlace> contradicted(const Problem& problem, const Composi
   const double significance = problem.options.decision.significance;
   const std::vector<Freed> alone = freed_in(problem, freed.fitted, first, further);
   std::vector<Freed> beside(further.size());
-  if (const auto& effects = best.explanation.effects; !effects.empty()) {
+  const std::vector<FittedEffect>& effects = best.explanation.effects;
+  if (!effects.empty()) {
     const Explanation fit = explain_on(problem, freed, freed.fitted, effects);
     if (std::isfinite(fit.fit.deviance)) beside = freed_in(problem, fit.fit, first, further);
   }
@@ -85,8 +100,12 @@ std::vector<CoefficientPlace> contradicted(const Problem& problem, const Composi
     const bool moves =
         alone[i].determined && std::abs(alone[i].change) > significance * alone[i].error;
     const double limit = significance * beside[i].error;
-    const bool comes_back = beside[i].determined && std::abs(beside[i].change) <= limit &&
-                            std::abs(alone[i].change - beside[i].change) > limit;
+    const bool comes_back =
+        beside[i].determined && std::abs(beside[i].change) <= limit &&
+        std::abs(alone[i].change - beside[i].change) > limit &&
+        std::none_of(effects.begin(), effects.end(), [&](const FittedEffect& effect) {
+          return stands_for(effect, problem.nominal, further[i]);
+        });
     if (moves && !comes_back) moved.push_back(further[i]);
   }
   return moved;

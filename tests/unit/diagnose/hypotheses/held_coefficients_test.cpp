@@ -78,6 +78,16 @@ TEST(HeldCoefficients, WhatEffectsExplainContradictsNone) {
       << "a load cell that shows a quarter too much is off beside the drag as well";
 }
 
+TEST(HeldCoefficients, AnEffectOfTheSameVariableExplainsNothingOfItsCoefficient) {
+  const support::Asked asked = asked_of(support::nothing, 1.1);
+  CompositeModel composite = asked.bare();
+  const FittedEffect bend{support::plain_candidate("F^3"), Vector(0), 0.0, 0.0};
+  composite.explanation =
+      explain_on(asked.problem(), *composite.base, composite.base->fitted, {bend});
+  composite.named = {{.equation = 1, .name = "bend"}};
+  EXPECT_EQ(HeldCoefficients().propose(asked.problem(), composite).composites.size(), 1u);
+}
+
 TEST(HeldCoefficients, IdentitiesAreNotTouched) {
   support::Asked asked = asked_of(support::ripple, 1.0);
   asked.nominal = support::oscillator();
