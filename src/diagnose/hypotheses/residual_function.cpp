@@ -98,9 +98,11 @@ std::optional<Explanation> formula_of(const Problem& problem, const Baseline& ba
   return std::move(fits[0]);
 }
 
-/// Whether what is said of the residual is a curve of one variable.
-bool is_curve(const Unnamed& unnamed, const FunctionBasis& basis) {
-  return basis.kind == FunctionBasis::Kind::Curve && unnamed.variables == basis.variables &&
+/// Whether a formula is sought: for a curve of one variable, unless the answer is to be quick.
+bool may_have_formula(const Problem& problem, const Unnamed& unnamed,
+                      const FunctionBasis& basis) {
+  return problem.options.effort != Thoroughness::Quick &&
+         basis.kind == FunctionBasis::Kind::Curve && unnamed.variables == basis.variables &&
          !unnamed.memory && !unnamed.periodic;
 }
 
@@ -121,7 +123,7 @@ void fit_function(const Problem& problem, const ScoredFunction& function,
   const double after = variance_of(filled.explanation.fit, unnamed.equation);
   unnamed.explained = std::clamp(1.0 - after / before, 0.0, 1.0);
   unnamed.filled = fill;
-  if (is_curve(unnamed, function.basis)) {
+  if (may_have_formula(problem, unnamed, function.basis)) {
     const Explanation curve =
         fill ? filled.explanation : explain_further_on(problem, base, filled.explanation);
     if (auto formula = formula_of(problem, base, unnamed, curve)) {

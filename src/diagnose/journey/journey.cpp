@@ -170,14 +170,32 @@ CompositeModel with_founded_names(const Problem& problem, CompositeModel composi
   return composite;
 }
 
-/// The composite model without the names of functions that are others (wrong_shapes()).
-CompositeModel with_right_shapes(const Problem& problem, CompositeModel composite,
-                                 std::vector<Rival>& trail) {
-  while (auto wrong = wrong_shapes(problem, composite)) {
-    trail.push_back(std::move(wrong->better));
-    composite = without_effects(problem, std::move(composite), wrong->effects);
+/// The composite model without the names of functions that are others (wrong_shapes()), as far
+/// as there is time to ask.
+CompositeModel with_right_shapes(const Problem& problem, const RunContext& hurried,
+                                 CompositeModel composite, std::vector<Rival>& trail) {
+  try {
+    while (auto wrong = wrong_shapes(alone(problem, hurried), composite)) {
+      trail.push_back(std::move(wrong->better));
+      composite = without_effects(problem, std::move(composite), wrong->effects);
+    }
+  } catch (const OutOfTime&) {
+    // The names that have not been given back stay.
   }
   return composite;
+}
+
+/// What is left described; where the time is up in few words.
+Judged with_residual(const Problem& problem, const RunContext& hurried,
+                     const Hypotheses& hypotheses, const Judged& so_far) {
+  Judged described =
+      judge_phase(alone(problem, hurried), hypotheses, Phase::Residual, so_far);
+  if (!hurried.is_late()) return described;
+  DiagnosisOptions quick = problem.options;
+  quick.effort = Thoroughness::Quick;
+  const Problem needed{problem.nominal, problem.records, quick, problem.context,
+                       problem.memory, problem.most_parameters};
+  return judge_phase(needed, hypotheses, Phase::Residual, so_far);
 }
 
 /// The composite model with names only where they explain most, and coefficients that hold.
@@ -252,12 +270,13 @@ Judged choose_composite(const Problem& problem, const Hypotheses& hypotheses, Ju
   return all;
 }
 
-Judged settle_composite(const Problem& problem, const Hypotheses& hypotheses, Judged so_far) {
+Judged settle_composite(const Problem& problem, const RunContext& hurried,
+                        const Hypotheses& hypotheses, Judged so_far) {
   std::vector<Rival>& trail = so_far.trail;
   so_far.best = with_claims(problem, std::move(so_far.best), trail);
   so_far.best = with_founded_names(problem, std::move(so_far.best), trail);
-  so_far.best = with_right_shapes(problem, std::move(so_far.best), trail);
-  return judge_phase(problem, hypotheses, Phase::Residual, std::move(so_far));
+  so_far.best = with_right_shapes(problem, hurried, std::move(so_far.best), trail);
+  return with_residual(problem, hurried, hypotheses, so_far);
 }
 
 CompositeModel without_names(const Problem& problem, const CompositeModel& composite) {

@@ -57,9 +57,10 @@ Judged choose_composite(const Problem& problem,
                         const std::vector<Stage<Hypothesis>>& hypotheses, Judged first);
 
 /// What a composite model may claim: names that leave structure and do not explain most are
-/// withdrawn; beside structure that is left, coefficients are those that hold over windows; the
-/// residual is described.
-Judged settle_composite(const Problem& problem,
+/// withdrawn; beside structure that is left, coefficients are those that hold over windows; names
+/// of functions that are others (wrong_shapes()) are given back; the residual is described.
+/// @param hurried whose deadline ends the last two.
+Judged settle_composite(const Problem& problem, const RunContext& hurried,
                         const std::vector<Stage<Hypothesis>>& hypotheses, Judged so_far);
 
 /// The composite model of the same baseline without any name.

@@ -118,7 +118,7 @@ TEST_F(Journey, NamesThatDoNotExplainMostAreWithdrawn) {
   CompositeModel composite = bare_composite(problem, "bare", base(problem));
   composite.named.push_back({.equation = 1, .name = "dry"});
   composite.left = {{1, 100.0, 9.0, 1.0, 0.5}};
-  const Judged settled = settle_composite(problem, {}, {composite});
+  const Judged settled = settle_composite(problem, problem.context, {}, {composite});
   EXPECT_TRUE(settled.best.named.empty());
   ASSERT_EQ(settled.trail.size(), 1u);
   EXPECT_FALSE(settled.trail[0].taken);
