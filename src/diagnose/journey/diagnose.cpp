@@ -178,7 +178,8 @@ EvaluatedComposite evaluated_on(const Records& records, const Problem& problem,
                                 Judged judged) {
   const Problem hurried{problem.nominal, problem.records, problem.options, context,
                         problem.memory};
-  EvaluatedComposite evaluated{settle_composite(problem, context, hypotheses, std::move(judged)), {}};
+  EvaluatedComposite evaluated{
+      settle_composite(problem, context, hypotheses, std::move(judged)), {}};
   double floor = std::numeric_limits<double>::infinity();
   for (;;) {
     const CompositeModel& best = evaluated.judged.best;
@@ -204,7 +205,8 @@ EvaluatedComposite evaluated_on(const Records& records, const Problem& problem,
       doubt_omissions(evaluated);
       return evaluated;
     }
-    evaluated.judged = settle_composite(problem, context, hypotheses, std::move(evaluated.judged));
+    evaluated.judged =
+        settle_composite(problem, context, hypotheses, std::move(evaluated.judged));
   }
 }
 

@@ -185,7 +185,7 @@ CompositeModel with_right_shapes(const Problem& problem, const RunContext& hurri
   return composite;
 }
 
-/// What is left described; where the time is up in few words.
+/// The residual described; where the time is up without a formula.
 Judged with_residual(const Problem& problem, const RunContext& hurried,
                      const Hypotheses& hypotheses, const Judged& so_far) {
   Judged described =
