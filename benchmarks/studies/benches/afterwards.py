@@ -2,11 +2,7 @@
 """Benches that were written after the last change that the coupled ones led to."""
 
 import numpy as np
-from benches import BEYOND, Bench, bench, noisy, simulate, steps, switch
-
-
-def channels_of(rng, names, x, percent):
-    return {name: noisy(rng, x[:, k], percent) for k, name in enumerate(names)}
+from benches import BEYOND, Bench, bench, channels_of, simulate, steps, switch
 
 
 @bench("afterwards", lacks=("v:quadratic-drag", "w:quadratic-drag"))

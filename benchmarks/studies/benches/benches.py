@@ -76,6 +76,11 @@ def noisy(rng, samples, percent):
     return samples + percent / 100 * samples.std() * rng.normal(size=len(samples))
 
 
+def channels_of(rng, names, samples, percent):
+    """A channel for each column, with white noise."""
+    return {name: noisy(rng, samples[:, k], percent) for k, name in enumerate(names)}
+
+
 def on_lattice(samples, step):
     return np.round(samples / step) * step
 

@@ -5,11 +5,7 @@ Written down, with what holds, before any of them was diagnosed.
 """
 
 import numpy as np
-from benches import BEYOND, Bench, bench, noisy, on_lattice, simulate, steps, switch
-
-
-def channels_of(rng, names, x, percent):
-    return {name: noisy(rng, x[:, k], percent) for k, name in enumerate(names)}
+from benches import BEYOND, Bench, bench, channels_of, noisy, on_lattice, simulate, steps, switch
 
 
 @bench("coupled", lacks=("T2:missing-coupling", "T3:missing-coupling", "T2:linear-term",

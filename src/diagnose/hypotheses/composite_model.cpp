@@ -41,17 +41,23 @@ bool is_substantial(const EquationStructure& structure, const DecisionOptions& d
   return structure.sigma >= decision.significance && structure.relative >= decision.effect_size;
 }
 
+bool is_left_in(const std::vector<EquationStructure>& left, const DecisionOptions& decision,
+                std::optional<Index> equation) {
+  return std::any_of(left.begin(), left.end(), [&](const EquationStructure& structure) {
+    return (!equation || structure.equation == *equation) &&
+           is_substantial(structure, decision);
+  });
+}
+
 bool leaves_structure(const CompositeModel& composite, const DecisionOptions& decision) {
-  return std::any_of(composite.left.begin(), composite.left.end(),
-                     [&](const auto& left) { return is_substantial(left, decision); });
+  return is_left_in(composite.left, decision);
 }
 
 bool has_residual_structure(const std::vector<EquationStructure>& left,
                             const DecisionOptions& decision) {
   DecisionOptions smaller = decision;
   smaller.effect_size *= decision.minor;
-  return std::any_of(left.begin(), left.end(),
-                     [&](const auto& one) { return is_substantial(one, smaller); });
+  return is_left_in(left, smaller);
 }
 
 bool closes_most(const CompositeModel& composite, const Problem& problem) {

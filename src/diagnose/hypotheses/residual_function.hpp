@@ -34,8 +34,8 @@ std::vector<Explanation> fitted_formulas(const Problem& problem, const Baseline&
                                          const Explanation& rest, Index equation,
                                          const std::string& variable);
 
-/// Such a formula with its numbers: -12*sin(1.01*th+0.2); a phase that is 0 up to twice its
-/// standard error is left out.
+/// Such a formula with its numbers: -12*sin(1.01*th+0.2); a phase whose 95 % interval holds 0 is
+/// left out.
 Expression formula_with_numbers(const FittedEffect& formula);
 
 /// Effects of one equation and one argument, and what was better in their place.

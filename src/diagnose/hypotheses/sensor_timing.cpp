@@ -163,16 +163,6 @@ class SensorSearch {
     });
   }
 
-  /// Whether a fit gains so little beside the best composite model that its neighbours are not
-  /// worth their time.
-  bool is_out_of_reach(const LateSensors& before, const LateSensors& exact) const {
-    // A fact of the search: in 144 fits of 150 records no second start came to the composite
-    // model where the first had come to less than a half of it.
-    constexpr double kMostGrowth = 3.0;
-    const double needed = before.criterion - criterion_of(problem_, base_, best_);
-    return kMostGrowth * (before.criterion - exact.criterion) < needed;
-  }
-
   /// Fits from the starts from which rough ones come farthest.
   std::vector<LateSensors> from_best_starts(const LateSensors& before,
                                             const std::vector<FitStart>& starts) {
@@ -180,8 +170,9 @@ class SensorSearch {
     tried_ += static_cast<Index>(starts.size());
     std::vector<LateSensors> exact;
     for (const Explanation& rough : rough_fits(problem_, base_, starts)) {
-      exact.push_back(judged(explain_further_on(problem_, base_, rough), before.sensors + 1));
-      if (exact.size() == kExactFits || is_out_of_reach(before, exact.back())) break;
+      if (exact.size() == kExactFits) break;
+      exact.push_back(
+          judged(explain_further_on(problem_, base_, rough), before.sensors + 1));
     }
     return exact;
   }

@@ -26,13 +26,6 @@ std::optional<std::pair<Index, std::string>> argument_of(const FittedEffect& eff
   return std::pair(candidate.equation, *names.begin());
 }
 
-bool is_left_in(const std::vector<EquationStructure>& left, Index equation,
-                const DecisionOptions& decision) {
-  return std::any_of(left.begin(), left.end(), [&](const EquationStructure& structure) {
-    return structure.equation == equation && is_substantial(structure, decision);
-  });
-}
-
 /// The composite model without some of its effects, and its fit.
 CompositeModel without(const Problem& problem, const CompositeModel& composite,
                        const std::vector<std::size_t>& places) {
@@ -137,13 +130,13 @@ std::optional<WrongShapes> wrong_shapes(const Problem& problem,
   if (composite.named.size() != effects.size()) return std::nullopt;
   const double own = criterion.value(evidence_of(composite));
   for (const Group& group : groups_of(effects)) {
-    const bool left = is_left_in(composite.left, group.equation, decision);
+    const bool left = is_left_in(composite.left, decision, group.equation);
     if (!(left ? says_how_it_bends(group, effects) : group.effects.size() > 1)) continue;
     for (const std::vector<std::size_t>& places : replaced_for(group, effects)) {
       const CompositeModel rest = without(problem, composite, places);
       const auto other = (left ? with_curve : with_formula)(problem, rest, group.equation,
                                                             group.variable);
-      if (!other || is_left_in(other->left, group.equation, decision)) continue;
+      if (!other || is_left_in(other->left, decision, group.equation)) continue;
       const double value = criterion.value(evidence_of(*other));
       if (!(value < own - decision.undecided)) continue;
       const auto k = static_cast<std::size_t>(group.equation);

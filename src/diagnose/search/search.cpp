@@ -257,14 +257,6 @@ bool add_in_time(const EffectSearch& search, const EffectSize& size, FoundEffect
   }
 }
 
-bool is_left_in(const std::vector<EquationStructure>& left, const DecisionOptions& decision,
-                std::optional<Index> equation = {}) {
-  return std::any_of(left.begin(), left.end(), [&](const EquationStructure& structure) {
-    return (!equation || structure.equation == *equation) &&
-           is_substantial(structure, decision);
-  });
-}
-
 /// Later effects are sought only where something is left; the first one may be of a kind that a
 /// white disturbance hardly shows (a small constant, a line).
 bool may_go_on(const EffectSearch& search, const FoundEffects& found) {

@@ -108,6 +108,10 @@ Evidence evidence_of(const CompositeModel& composite);
 /// Whether the residual of an equation is significant and of the size of an effect.
 bool is_substantial(const EquationStructure& structure, const DecisionOptions& decision);
 
+/// Whether an equation has substantial structure left; any, where none is given.
+bool is_left_in(const std::vector<EquationStructure>& left, const DecisionOptions& decision,
+                std::optional<Index> equation = {});
+
 /// Whether some equation has substantial structure left.
 bool leaves_structure(const CompositeModel& composite, const DecisionOptions& decision);
 

@@ -5,6 +5,9 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
+
+#include "support/asked.hpp"
 #include "support/assimilated_oscillator.hpp"
 
 namespace lacuna {
@@ -122,6 +125,42 @@ TEST_F(Journey, NamesThatDoNotExplainMostAreWithdrawn) {
   EXPECT_TRUE(settled.best.named.empty());
   ASSERT_EQ(settled.trail.size(), 1u);
   EXPECT_FALSE(settled.trail[0].taken);
+}
+
+/// A ripple of the force over q, called by the powers of a series of it.
+CompositeModel called_a_series(const Problem& problem) {
+  CompositeModel composite =
+      bare_composite(problem, "bare", std::make_shared<const Baseline>(plain_baseline(problem)));
+  std::vector<FittedEffect> effects;
+  for (const char* power : {"q^3", "q^5", "q^7"}) {
+    effects.push_back({support::plain_candidate(power), Vector(0), 0.0, 0.0});
+    composite.named.push_back({.equation = 1, .name = power});
+  }
+  composite.explanation =
+      explain_on(problem, *composite.base, composite.base->fitted, effects);
+  composite.left = test_disturbances(composite.explanation.fit, problem.context);
+  return composite;
+}
+
+TEST_F(Journey, NamesOfFunctionsThatAreOthersAreGivenBackWhileThereIsTime) {
+  const support::Asked asked = support::asked(support::ripple, 0.002);
+  const Problem problem = asked.problem();
+  const CompositeModel composite = called_a_series(problem);
+  ASSERT_TRUE(leaves_structure(composite, problem.options.decision));
+  ASSERT_TRUE(closes_most(composite, problem));
+  const std::vector<Stage<Hypothesis>> all = standard_hypotheses();
+  const Judged settled = settle_composite(problem, problem.context, all, {composite});
+  EXPECT_TRUE(settled.best.named.empty());
+  ASSERT_FALSE(settled.trail.empty());
+  EXPECT_EQ(settled.trail[0].composite, "a free curve of q in dv/dt");
+  ASSERT_TRUE(settled.best.unnamed);
+  EXPECT_NE(settled.best.unnamed->formula.find("sin("), std::string::npos);
+  RunContext late;
+  late.deadline = std::chrono::steady_clock::now();
+  EXPECT_EQ(settle_composite(problem, late, all, {composite}).best.named.size(), 3u);
+  const Judged bare = settle_composite(problem, late, all, {asked.bare()});
+  ASSERT_TRUE(bare.best.unnamed) << "every answer has a description";
+  EXPECT_EQ(bare.best.unnamed->formula, "") << "that took time";
 }
 
 TEST_F(Journey, WhatOtherRecordsRefuteGoesNamesFirst) {
