@@ -26,42 +26,47 @@ OdeModel with_coefficients_of(const OdeModel& fitted, const OdeModel& nominal) {
   return nominal.with_equations(std::move(equations));
 }
 
-/// The model with the term of a parameter "w: sin(th)" fixed at its nominal coefficient;
-/// nothing where there is no such term.
-std::optional<OdeModel> with_fixed(const OdeModel& model, const std::string& number) {
-  std::vector<Equation> equations = model.equations();
-  for (std::size_t k = 0; k < equations.size(); ++k)
-    for (WeightedTerm& term : equations[k])
-      if (!term.fixed && model.states()[k].name + ": " + term.term.name() == number) {
-        term.fixed = true;
-        return model.with_equations(std::move(equations));
-      }
-  return std::nullopt;
-}
-
-/// The fit; of numbers that the records determine only together one stays as it was given, so
-/// that the others are determined.
-Fit determined_fit(OdeModel model, const Dataset& measured,
-                   const std::vector<StateNoise>& noise, const RunContext& context) {
-  constexpr int kMostFixed = 3;  // a fact of cost: of each the model is fitted once more
-  const FitOptions options{.restarts = kRestarts, .starts = 0, .noise = noise};
-  Fit found = fit(SystemModel(model), measured, {}, options, context);
-  for (int i = 0; i < kMostFixed && !found.combinations.empty(); ++i) {
-    const std::vector<std::string>& members = found.combinations.front().members;
-    if (members.empty()) break;
-    const auto fixed = with_fixed(model, members.back());
-    if (!fixed) break;
-    model = *fixed;
-    found = fit(SystemModel(model), measured, {}, options, context);
-  }
-  return found;
-}
-
 bool have_the_same_terms(const OdeModel& one, const OdeModel& other) {
   if (one.equations().size() != other.equations().size()) return false;
   for (std::size_t k = 0; k < one.equations().size(); ++k)
     if (one.equations()[k].size() != other.equations()[k].size()) return false;
   return true;
+}
+
+/// The model with the term of a parameter "w: sin(th)" fixed at its coefficient in another one;
+/// nothing where there is no such term.
+std::optional<OdeModel> with_fixed(const OdeModel& model, const std::string& number,
+                                   const OdeModel& given) {
+  std::vector<Equation> equations = model.equations();
+  for (std::size_t k = 0; k < equations.size(); ++k)
+    for (std::size_t j = 0; j < equations[k].size(); ++j) {
+      WeightedTerm& term = equations[k][j];
+      if (term.fixed || model.states()[k].name + ": " + term.term.name() != number) continue;
+      term.coefficient = given.equations()[k][j].coefficient;
+      term.fixed = true;
+      return model.with_equations(std::move(equations));
+    }
+  return std::nullopt;
+}
+
+/// The fit; of numbers that the records determine only together one stays as it was given, so
+/// that the others are determined.
+Fit determined_fit(const OdeModel& model, const Dataset& measured,
+                   const std::vector<StateNoise>& noise, const RunContext& context) {
+  constexpr int kMostFixed = 3;  // a fact of cost: of each the model is fitted once more
+  FitOptions options{.restarts = kRestarts, .starts = 0, .rough = true, .noise = noise};
+  Fit found = fit(SystemModel(model), measured, {}, options, context);
+  options.effort = Thoroughness::Quick;  // what follows begins at a fit
+  for (int i = 0; i < kMostFixed && !found.combinations.empty(); ++i) {
+    const std::vector<std::string>& members = found.combinations.front().members;
+    if (members.empty()) break;
+    const OdeModel& fitted = found.model.model();
+    if (!have_the_same_terms(fitted, model)) break;
+    const auto fixed = with_fixed(fitted, members.back(), model);
+    if (!fixed) break;
+    found = fit(SystemModel(*fixed), measured, {}, options, context);
+  }
+  return found;
 }
 
 }  // namespace

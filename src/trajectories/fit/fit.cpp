@@ -98,6 +98,7 @@ FitData usable(const SystemModel& system, const Dataset& records,
 
 ProfileUse profiles_for(const FitOptions& options) {
   if (options.profile) return ProfileUse::Curves;
+  if (options.rough) return ProfileUse::None;
   switch (options.effort) {
     case Thoroughness::Quick:
       return ProfileUse::None;
@@ -117,9 +118,10 @@ std::vector<StageDone> stages_of(const FitOptions& options, const FitSearch& sea
     if (quick && needs_effort) return {name, false, kIsQuick};
     return in_time ? StageDone{name} : StageDone{name, false, kTimeIsUp};
   };
-  return {{"fit"},
-          stage("starts", true, search.in_time),
-          stage("profiles", !options.profile, known.in_time)};
+  std::vector<StageDone> stages = {{"fit"}, stage("starts", true, search.in_time)};
+  if (!options.rough)
+    stages.push_back(stage("profiles", !options.profile, known.in_time));
+  return stages;
 }
 
 /// The fit of numbers that records share, or have for themselves alone.
@@ -131,6 +133,7 @@ FitEstimate estimate(const SystemModel& system, FitEngine& engine,
                  {.restarts = options.restarts,
                   .spread = options.spread,
                   .only_given = options.effort == Thoroughness::Quick,
+                  .rough = options.rough,
                   .range_starts = options.starts.value_or(usual_range_starts(engine)),
                   .always_ranges = options.starts.has_value()},
                  context);

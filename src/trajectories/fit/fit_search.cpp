@@ -168,7 +168,8 @@ void keep_better(FitEngine& engine, const FitUnknowns& unknowns, const FitPoint&
   const double values = engine.records.valid.sum(),
                before = deviance_of(engine, unknowns, search.best);
   double now = deviance_of(engine, unknowns, found);
-  if (now < before) {  // steps may be too long for it, and the minimum one of their errors
+  // Steps may be too long for it, and the minimum one of their errors.
+  if (now < before && !options.rough) {
     found = polished(engine, unknowns, std::move(found), options, context);
     now = deviance_of(engine, unknowns, found);
   }
@@ -356,6 +357,7 @@ FitSearch settled_search(FitEngine& engine, const FitUnknowns& unknowns, const F
 FitSearch search_fit(FitEngine& engine, const FitUnknowns& unknowns, const FitPoint& start,
                      const FitSearchOptions& options, const RunContext& context) {
   choose_method(engine, start);
+  if (options.rough) return from_several_starts(engine, unknowns, start, options, context);
   const Vector sigma = engine.sigma;
   const auto laws = engine.laws;
   FitSearch search = settled_search(engine, unknowns, start, options, context);

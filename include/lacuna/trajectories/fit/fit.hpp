@@ -37,6 +37,9 @@ struct FitOptions {
   /// (OdeModel::initial_time()), or at the first row of each.
   std::optional<double> start_time = {};
   bool profile = false;   ///< whether profiles of the likelihood are wanted, at any cost
+  /// A start of other fits is all that is wanted: steps and sizes of the noise stay those of the
+  /// search, intervals are those of standard errors.
+  bool rough = false;
   /// Normal noise of known size in each sample, in the place of one deviation of the channel.
   std::vector<KnownDeviation> deviations = {};
   bool bands = false;  ///< whether bands of the free runs are wanted

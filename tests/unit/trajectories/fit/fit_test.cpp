@@ -245,6 +245,15 @@ TEST(Fit, QuickIsTheGivenStartWithoutProfiles) {
   EXPECT_EQ(left_out_line(found.stages), "left out: starts, profiles (--effort quick)");
 }
 
+TEST(Fit, ARoughOneHasTheNumbersWithoutProfiles) {
+  const SystemModel truth = parse_ode_system(kTanks, "t.ode");
+  const Fit found = fit(off_by(truth, 1.2), tanks_record(), {}, {.rough = true});
+  EXPECT_NEAR(number(found, "k1").value, 0.5, 0.03);
+  ASSERT_EQ(found.stages.size(), 2u);
+  EXPECT_EQ(found.stages[1].name, "starts");
+  EXPECT_TRUE(left_out_line(found.stages).empty()) << "nobody asked for profiles";
+}
+
 TEST(Fit, MoreUnknownsThanValuesAreAnError) {
   Dataset data = tanks_record();
   data.trajectories[0] = rows_of(data.trajectories[0], 0, 5);
