@@ -27,6 +27,20 @@ inline Asked asked(const Hidden& hidden, double noise = 0.01,
   return {.records = observed(hidden_record(hidden, noise)), .options = {.effects = effects}};
 }
 
+/// A composite model in which nobody measured a state, and its equation is a hundredth of itself.
+inline CompositeModel turned_off(CompositeModel composite, Index state) {
+  const auto k = static_cast<std::size_t>(state);
+  Baseline base = *composite.base;
+  base.fit_options.hidden.assign(base.fitted.model.states().size(), false);
+  base.fit_options.hidden[k] = true;
+  composite.base = std::make_shared<const Baseline>(std::move(base));
+  OdeModel& fitted = composite.explanation.fit.model;
+  std::vector<Equation> equations = fitted.equations();
+  for (WeightedTerm& summand : equations[k]) summand.coefficient *= 0.01;
+  fitted = fitted.with_equations(std::move(equations));
+  return composite;
+}
+
 /// Forces of 1.5 sin(6 q): a function of q that no effect has a name for.
 inline double ripple(double, double q, double) { return 1.5 * std::sin(6.0 * q); }
 

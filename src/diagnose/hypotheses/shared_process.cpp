@@ -25,10 +25,19 @@ struct Pair {
   double gain = 0.0;  ///< joint drop of the sum of squares
 };
 
-bool has_term(const OdeModel& model, Index equation, const std::string& name) {
-  const Equation& terms = model.equations()[static_cast<std::size_t>(equation)];
-  return std::any_of(terms.begin(), terms.end(),
-                     [&](const WeightedTerm& summand) { return summand.term.name() == name; });
+/// Products of the coefficients of each term of the states that two equations have in common.
+std::vector<double> shared_directions(const OdeModel& model, Index k, Index l) {
+  std::vector<double> products;
+  for (const WeightedTerm& one : model.equations()[static_cast<std::size_t>(k)]) {
+    const auto names = one.term.expression().variables();
+    const bool of_states =
+        std::any_of(model.states().begin(), model.states().end(),
+                    [&](const Quantity& x) { return names.contains(x.name); });
+    for (const WeightedTerm& other : model.equations()[static_cast<std::size_t>(l)])
+      if (of_states && other.term.name() == one.term.name())
+        products.push_back(one.coefficient * other.coefficient);
+  }
+  return products;
 }
 
 /// Equations that are fitted, hold not by definition, and have a term of the states in common.
@@ -39,14 +48,7 @@ std::vector<std::pair<Index, Index>> sharing(const OdeModel& model, const NoiseM
       if (noise.disturbance[k] == 0.0 || noise.disturbance[l] == 0.0 ||
           identity_of(model, k) || identity_of(model, l))
         continue;
-      const Equation& terms = model.equations()[static_cast<std::size_t>(k)];
-      if (std::any_of(terms.begin(), terms.end(), [&](const WeightedTerm& summand) {
-            const auto names = summand.term.expression().variables();
-            return std::any_of(model.states().begin(), model.states().end(),
-                               [&](const Quantity& x) { return names.contains(x.name); }) &&
-                   has_term(model, l, summand.term.name());
-          }))
-        result.emplace_back(k, l);
+      if (!shared_directions(model, k, l).empty()) result.emplace_back(k, l);
     }
   return result;
 }
@@ -168,8 +170,10 @@ std::vector<NamedEffect> names_of(const Problem& problem, const Baseline& base,
         before > 0.0 ? std::clamp(1.0 - after * after / (before * before), 0.0, 1.0) : 0.0;
     named.push_back(std::move(one));
   }
+  const std::vector<FittedEffect>& effects = explanation.effects;
   if (named.size() != 2 || named[0].name != named[1].name ||
-      sigma < problem.options.decision.significance)
+      sigma < problem.options.decision.significance ||
+      !acts_as_shared(problem.nominal, effects[0], effects[1]))
     return {};
   return named;
 }
@@ -278,6 +282,14 @@ std::optional<FittedPair> best_pair(const Problem& problem, const Baseline& base
 }
 
 }  // namespace
+
+bool acts_as_shared(const OdeModel& model, const FittedEffect& one, const FittedEffect& other) {
+  const std::vector<double> products =
+      shared_directions(model, one.candidate.equation, other.candidate.equation);
+  const double own = one.coefficient * other.coefficient;
+  return std::any_of(products.begin(), products.end(),
+                     [&](double product) { return product * own >= 0.0; });
+}
 
 Proposals SharedProcess::do_propose(const Problem& problem, const CompositeModel& best) const {
   const Baseline& base = *best.base;

@@ -13,7 +13,8 @@ inline constexpr StageInfo kSharedProcess{
 /// on something, a flow from one store into another: a term that both have) is often none in
 /// either alone: the hidden state gives way to what the one lacks and contradicts the other. So
 /// forms are tried in both together, by their joint gain, and the best are fitted jointly, each
-/// equation with a coefficient and shapes of its own.
+/// equation with a coefficient and shapes of its own; they have to act as the process does
+/// (acts_as_shared()).
 class SharedProcess final : public Configured<Hypothesis, NoOptions<kSharedProcess>> {
  public:
   using Configured::Configured;
@@ -23,5 +24,9 @@ class SharedProcess final : public Configured<Hypothesis, NoOptions<kSharedProce
   int do_order() const override { return 2; }
   Proposals do_propose(const Problem& problem, const CompositeModel& best) const override;
 };
+
+/// Whether effects in two equations may be one process: they act on both as a term of the states
+/// does that both have. What the one gains by it the other loses, or both gain.
+bool acts_as_shared(const OdeModel& model, const FittedEffect& one, const FittedEffect& other);
 
 }  // namespace lacuna

@@ -22,18 +22,18 @@ namespace {
 
 /// Whether an effect is free to be another one, or none, in other records.
 bool may_differ(const FittedEffect& effect) {
-  const std::span<const double> shapes(effect.shapes.data(),
-                                       static_cast<std::size_t>(effect.shapes.size()));
-  return effect.candidate.is_driven() ||
-         bind_form(effect.candidate, shapes).variables().contains("t");
+  return effect.candidate.is_driven() || depends_on_time(effect);
+}
+
+std::string name_of(const NamedEffect& effect, const OdeModel& nominal) {
+  return effect.name + " in " +
+         nominal.states()[static_cast<std::size_t>(effect.equation)].name;
 }
 
 std::string list_of_names(const CompositeModel& composite, const OdeModel& nominal) {
   std::vector<std::string> names;
   for (const auto* all : {&composite.named, &composite.findings})
-    for (const NamedEffect& effect : *all)
-      names.push_back(effect.name + " in " +
-                      nominal.states()[static_cast<std::size_t>(effect.equation)].name);
+    for (const NamedEffect& effect : *all) names.push_back(name_of(effect, nominal));
   return join(names, ", ");
 }
 
@@ -288,6 +288,26 @@ std::optional<double> deviations_of_gain(const Gap& gap) {
   return all.mean() / std::sqrt(scatter / count);
 }
 
+bool depends_on_time(const FittedEffect& effect) {
+  const std::span<const double> shapes(effect.shapes.data(),
+                                       static_cast<std::size_t>(effect.shapes.size()));
+  return bind_form(effect.candidate, shapes).variables().contains("t");
+}
+
+HoldoutEvaluation evaluate_time(const Problem& problem, const CompositeModel& composite,
+                                const Gap& without, const Gap& with) {
+  const double needed = (1.0 + problem.options.decision.negligible) * with.after;
+  if (!(without.after <= needed)) return {};
+  std::vector<std::string> names;
+  for (std::size_t e = 0; e < composite.named.size(); ++e)
+    if (depends_on_time(composite.explanation.effects[e]))
+      names.push_back(name_of(composite.named[e], problem.nominal));
+  return {false, true,
+          "what depends on time (" + join(names, ", ") +
+              ") does nothing for the records that were not used: it holds for those that were "
+              "used at best"};
+}
+
 HoldoutEvaluation evaluate_names(const Problem& problem, const CompositeModel& composite,
                                  const Gap& gap) {
   const std::vector<FittedEffect>& effects = composite.explanation.effects;
@@ -327,8 +347,9 @@ Diagnosis make_answer(const Problem& problem, Judged judged, std::optional<Gap> 
   const std::vector<std::string> inputs =
       notes_on(problem, noisy_inputs(problem, best.explanation.fit));
   const bool lower = evaluation.lower || (alone == Verdict::Explained && !doubts.empty());
-  const bool open = gap && (stays_open(*gap, problem.options.decision) ||
-                            runs_away(*gap, problem.options.decision));
+  const bool open = !equations_turned_off(problem, best).empty() ||
+                    (gap && (stays_open(*gap, problem.options.decision) ||
+                             runs_away(*gap, problem.options.decision)));
   Diagnosis result{
       .verdict = after_holdout(alone, open, lower),
       .nominal = problem.nominal,

@@ -41,6 +41,16 @@ std::optional<double> deviations_of_gain(const Gap& gap);
 HoldoutEvaluation evaluate_names(const Problem& problem, const CompositeModel& composite,
                                  const Gap& gap);
 
+/// Whether the form of an effect has t in it.
+bool depends_on_time(const FittedEffect& effect);
+
+/// Evaluates effects that depend on time beside others that do not: these alone may explain the
+/// records that were not used. What follows an input at one of its frequencies, or an oscillation
+/// that decays, looks like a tone in one record and is none in another.
+/// @param without, with gaps on other records without the former and with all.
+HoldoutEvaluation evaluate_time(const Problem& problem, const CompositeModel& composite,
+                                const Gap& without, const Gap& with);
+
 /// The answer. @param judged the composite model and the trail; @param gap on other records.
 Diagnosis make_answer(const Problem& problem, Judged judged, std::optional<Gap> gap,
                       const HoldoutEvaluation& evaluation);

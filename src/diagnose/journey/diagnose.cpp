@@ -153,7 +153,10 @@ std::optional<CompositeModel> faults_that_suffice(const Problem& problem,
                                                   const EvaluatedComposite& evaluated,
                                                   const BoundRecords& check) {
   if (!evaluated.gap) return std::nullopt;
-  std::optional<CompositeModel> alone = faults_alone(problem, evaluated.judged.best);
+  std::optional<CompositeModel> alone =
+      with_only(problem, evaluated.judged.best, [](const FittedEffect& effect) {
+        return effect.candidate.place == Place::Channel;
+      });
   if (!alone) return std::nullopt;
   const std::optional<Gap> gap =
       gap_of(problem, problem.nominal, *alone, check, evaluated.gap->noise_floor);
@@ -162,6 +165,20 @@ std::optional<CompositeModel> faults_that_suffice(const Problem& problem,
   const double most = std::max((1.0 + decision.minor) * evaluated.gap->after,
                                decision.explained_gap * gap->noise_floor);
   return gap->after <= most ? std::move(alone) : std::nullopt;
+}
+
+/// evaluate_time() where some effects depend on time and others do not.
+HoldoutEvaluation evaluate_time_on(const Problem& problem, const EvaluatedComposite& evaluated,
+                                   const BoundRecords& check) {
+  const CompositeModel& best = evaluated.judged.best;
+  if (!evaluated.gap) return {};
+  const auto without = with_only(problem, best, [](const FittedEffect& effect) {
+    return !depends_on_time(effect);
+  });
+  if (!without) return {};
+  const auto gap =
+      gap_of(problem, problem.nominal, *without, check, evaluated.gap->noise_floor);
+  return gap ? evaluate_time(problem, best, *gap, *evaluated.gap) : HoldoutEvaluation{};
 }
 
 /// What is named before all was judged that may stand in its place is no whole explanation.
@@ -189,6 +206,8 @@ EvaluatedComposite evaluated_on(const Records& records, const Problem& problem,
     if (!evaluated.evaluation.withdraw && gaps.fitted)
       if (HoldoutEvaluation names = evaluate_names(problem, best, *gaps.fitted); names.withdraw)
         evaluated.evaluation = std::move(names);
+    if (!evaluated.evaluation.withdraw && !evaluated.evaluation.lower)
+      evaluated.evaluation = evaluate_time_on(problem, evaluated, records.check);
     if (evaluated.gap && !std::isfinite(evaluated.gap->after)) evaluated.gap.reset();
     if (evaluated.evaluation.withdraw) {
       evaluated.withdrawn.push_back(evaluated.evaluation.note);

@@ -287,19 +287,19 @@ CompositeModel without_names(const Problem& problem, const CompositeModel& compo
   return bare;
 }
 
-std::optional<CompositeModel> faults_alone(const Problem& problem,
-                                           const CompositeModel& composite) {
+std::optional<CompositeModel> with_only(const Problem& problem, const CompositeModel& composite,
+                                        FunctionRef<bool(const FittedEffect&)> keeps) {
   const std::vector<FittedEffect>& effects = composite.explanation.effects;
-  std::vector<FittedEffect> faults;
-  CompositeModel alone = composite;
-  alone.named.clear();
+  std::vector<FittedEffect> kept;
+  CompositeModel rest = composite;
+  rest.named.clear();
   for (std::size_t e = 0; e < composite.named.size(); ++e) {
-    if (effects[e].candidate.place != Place::Channel) continue;
-    faults.push_back(effects[e]);
-    alone.named.push_back(composite.named[e]);
+    if (!keeps(effects[e])) continue;
+    kept.push_back(effects[e]);
+    rest.named.push_back(composite.named[e]);
   }
-  if (faults.empty() || faults.size() == effects.size()) return std::nullopt;
-  return refitted_with(problem, std::move(alone), faults);
+  if (kept.empty() || kept.size() == effects.size()) return std::nullopt;
+  return refitted_with(problem, std::move(rest), kept);
 }
 
 CompositeModel without_claims(const Problem& problem, const CompositeModel& composite,

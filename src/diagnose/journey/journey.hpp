@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "lacuna/core/base/function_ref.hpp"
 #include "lacuna/core/base/stages_done.hpp"
 #include "lacuna/diagnose/hypotheses/hypothesis.hpp"
 
@@ -66,10 +67,10 @@ Judged settle_composite(const Problem& problem, const RunContext& hurried,
 /// The composite model of the same baseline without any name.
 CompositeModel without_names(const Problem& problem, const CompositeModel& composite);
 
-/// The composite model with nothing but its faults of the measurement, fitted again; nothing where
-/// it has none, or nothing else.
-std::optional<CompositeModel> faults_alone(const Problem& problem,
-                                           const CompositeModel& composite);
+/// The composite model with nothing but some of its effects, fitted again; nothing where these are
+/// none of them or all.
+std::optional<CompositeModel> with_only(const Problem& problem, const CompositeModel& composite,
+                                        FunctionRef<bool(const FittedEffect&)> keeps);
 
 /// A composite model of which other records refuted what it names: without its effects, or
 /// where only assumptions have names the one of the plain baseline.

@@ -84,6 +84,14 @@ void add_coefficients(const Problem& problem, const CompositeModel& composite,
                    format_number(one.given, 4) + " to " + format_number(one.fitted, 4));
 }
 
+void add_turned_off(const Problem& problem, const CompositeModel& composite, Sentences& said) {
+  for (const Index k : equations_turned_off(problem, composite))
+    said.push_back("the records are met only without " + where(problem, k) +
+                   " as the model has it: all its coefficients fall to less than 1/" +
+                   format_number(problem.options.decision.out_of_scale, 3) +
+                   " of what was given");
+}
+
 void add_idle(const Problem& problem, const CompositeModel& composite, Sentences& said) {
   for (std::size_t e = 0; e < composite.named.size(); ++e) {
     const FittedEffect& effect = composite.explanation.effects[e];
@@ -150,6 +158,26 @@ bool stays_open(const Gap& gap, const DecisionOptions& decision) {
          gap.after > decision.open_gap * gap.noise_floor;
 }
 
+std::vector<Index> equations_turned_off(const Problem& problem,
+                                        const CompositeModel& composite) {
+  const std::vector<bool>& hidden = composite.base->fit_options.hidden;
+  const OdeModel& nominal = problem.nominal;
+  std::vector<Index> off;
+  for (Index k = 0; k < nominal.dimension(); ++k) {
+    const auto at = static_cast<std::size_t>(k);
+    const Equation& given = nominal.equations()[at];
+    const Equation& fitted = composite.explanation.fit.model.equations()[at];
+    if (at >= hidden.size() || !hidden[at] || given.empty()) continue;
+    bool is_off = true;
+    for (std::size_t j = 0; j < given.size(); ++j)
+      is_off = is_off && problem.options.decision.out_of_scale *
+                                 std::abs(fitted[j].coefficient) <
+                             std::abs(given[j].coefficient);
+    if (is_off) off.push_back(k);
+  }
+  return off;
+}
+
 std::optional<double> time_on_bound(const FittedEffect& effect, const std::string& time_unit) {
   const Candidate& candidate = effect.candidate;
   for (std::size_t s = 0; s < candidate.shapes.size(); ++s) {
@@ -175,6 +203,7 @@ Sentences reservations(const Problem& problem, const CompositeModel& composite,
     said.push_back("no model yet: run freely over the whole of the records that were not used "
                    "it is off by " +
                    format_number(gap->free_after->apart, 3) + " times their spread");
+  add_turned_off(problem, composite, said);
   if (composite.named.empty() && composite.findings.empty()) return said;
   said.insert(said.end(), composite.doubts.begin(), composite.doubts.end());
   add_bounds(composite, said);

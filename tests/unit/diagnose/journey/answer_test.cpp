@@ -186,6 +186,22 @@ TEST_F(Answer, WhatDependsOnTimeGoesOnInTheRestOfARecord) {
   EXPECT_FALSE(evaluated(composite("sin(5*t)"), gap(10.0, 1.5), true).withdraw);
 }
 
+TEST_F(Answer, WhatDependsOnTimeHasToShowOnOtherRecordsByItself) {
+  CompositeModel both = composite("sign(v)");
+  both.explanation.effects.push_back(composite("sin(5*t)").explanation.effects[0]);
+  both.named.push_back({.equation = 0, .name = "hum"});
+  const auto evaluated = [&](double without) {
+    return evaluate_time(asked_.problem(), both, gap(10.0, without), gap(10.0, 1.0));
+  };
+  EXPECT_TRUE(evaluated(1.04).lower);
+  EXPECT_FALSE(evaluated(1.04).withdraw);
+  EXPECT_NE(evaluated(0.9).note.find("(hum in q)"), std::string::npos) << evaluated(0.9).note;
+  EXPECT_FALSE(evaluated(1.06).lower);
+  EXPECT_FALSE(evaluated(INFINITY).lower) << "without it there is no model";
+  asked_.options.decision.negligible = 0.1;
+  EXPECT_TRUE(evaluated(1.06).lower);
+}
+
 TEST_F(Answer, AnInputThatFollowsEverySampleExplainsNothing) {
   CompositeModel driven = composite("u");
   driven.explanation.effects[0].candidate.memory = {
@@ -293,6 +309,12 @@ TEST_F(Answer, WhatStaysOpenOnOtherRecordsIsStructureWithoutAName) {
   EXPECT_EQ(elsewhere.augmented.coefficient(1, "q"), -4.0) << "the model stays as it was";
   EXPECT_EQ(make_answer(asked_.problem(), {nameless(0.0)}, gap(1.2, 1.1), {}).verdict,
             Verdict::NoDiscrepancy);
+}
+
+TEST_F(Answer, AModelWhoseHiddenEquationIsTurnedOffLacksStructure) {
+  EXPECT_EQ(answer(support::turned_off(nameless(0.0), 1)).verdict, Verdict::UnnamedStructure);
+  EXPECT_EQ(answer(support::turned_off(composite("sign(v)"), 1)).verdict,
+            Verdict::PartlyExplained);
 }
 
 }  // namespace

@@ -116,6 +116,21 @@ TEST_F(Reservations, CoefficientsOfAnotherSignOrSizeAreSaid) {
       << turned.front();
 }
 
+TEST_F(Reservations, AHiddenStateWhoseEquationIsTurnedOffIsSaid) {
+  const CompositeModel judged = support::turned_off(asked_.bare(), 1);
+  EXPECT_TRUE(speaks_of(said(judged), "only without dv/dt")) << "nothing has a name";
+  EXPECT_EQ(equations_turned_off(asked_.problem(), judged), std::vector<Index>{1});
+  EXPECT_TRUE(equations_turned_off(asked_.problem(), asked_.bare()).empty());
+  CompositeModel one_left = judged;
+  OdeModel& fitted = one_left.explanation.fit.model;
+  std::vector<Equation> equations = fitted.equations();
+  equations[1][0].coefficient *= 11.0;
+  fitted = fitted.with_equations(equations);
+  EXPECT_TRUE(said(one_left).empty()) << "a term that is still there moves the state";
+  asked_.options.decision.out_of_scale = 200.0;
+  EXPECT_TRUE(said(judged).empty());
+}
+
 TEST_F(Reservations, AnEffectOfFewSamplesIsSaid) {
   const CompositeModel bare = asked_.bare();
   Vector q = bare.explanation.fit.records[0].slots.col(0);
