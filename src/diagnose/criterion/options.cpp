@@ -44,7 +44,7 @@ void describe_search(DecisionOptions& o, OptionVisitor& v) {
           o.long_window);
 }
 
-/// How channels and explanations are judged.
+/// How outliers and explanations are judged.
 void describe_judgement(DecisionOptions& o, OptionVisitor& v) {
   v.field({"outlying", "standard deviations",
            "A sample that is farther off is an outlier; at 6 one in 5e8 samples of normal noise.",
@@ -86,12 +86,22 @@ void describe_judgement(DecisionOptions& o, OptionVisitor& v) {
            "is no longer the one given; what needs that does not pass as an explanation.",
            1.0},
           o.out_of_scale);
+  v.field({"rescaled", "",
+           "Beside hidden states a nominal coefficient that changes by more than this factor, up "
+           "or down, may have taken the part of what is missing: names beside it do not pass as "
+           "an explanation, unless an effect stands in the place of its term.",
+           1.0},
+          o.rescaled);
   v.field({"acting", "",
            "An effect that acts in a smaller fraction of the samples is known from too few of "
            "them to pass as an explanation; it acts where it is more than this fraction of its "
            "largest value.",
            0.0, 1.0},
           o.acting);
+}
+
+/// How sensors and inputs are judged.
+void describe_signals(DecisionOptions& o, OptionVisitor& v) {
   v.field(
       {"filter_gain", "",
        "A filter in front of a sensor passes on the whole of the state, up to this fraction.",
@@ -177,6 +187,7 @@ void DecisionOptions::describe(OptionVisitor& v) {
           major);
   describe_search(*this, v);
   describe_judgement(*this, v);
+  describe_signals(*this, v);
   gaps.describe(v);
   smoothing.describe(v);
   naming.describe(v);

@@ -54,9 +54,8 @@ std::optional<OdeModel> with_fixed(const OdeModel& model, const std::string& num
 Fit determined_fit(const OdeModel& model, const Dataset& measured,
                    const std::vector<StateNoise>& noise, const RunContext& context) {
   constexpr int kMostFixed = 3;  // a fact of cost: of each the model is fitted once more
-  FitOptions options{.restarts = kRestarts, .starts = 0, .rough = true, .noise = noise};
+  const FitOptions options{.restarts = kRestarts, .starts = 0, .rough = true, .noise = noise};
   Fit found = fit(SystemModel(model), measured, {}, options, context);
-  options.effort = Thoroughness::Quick;  // what follows begins at a fit
   for (int i = 0; i < kMostFixed && !found.combinations.empty(); ++i) {
     const std::vector<std::string>& members = found.combinations.front().members;
     if (members.empty()) break;

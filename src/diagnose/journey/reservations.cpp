@@ -84,6 +84,45 @@ void add_coefficients(const Problem& problem, const CompositeModel& composite,
                    format_number(one.given, 4) + " to " + format_number(one.fitted, 4));
 }
 
+/// Whether an effect in an equation is a function of all that a term of it is: it may stand in
+/// its place.
+bool takes_the_place(const CompositeModel& composite, Index equation, const Term& term) {
+  const std::vector<FittedEffect>& effects = composite.explanation.effects;
+  const auto needed = term.expression().variables();
+  return std::any_of(effects.begin(), effects.end(), [&](const FittedEffect& effect) {
+    const auto has = effect.candidate.form.variables();
+    return effect.candidate.equation == equation &&
+           std::includes(has.begin(), has.end(), needed.begin(), needed.end());
+  });
+}
+
+/// Coefficients of a fit beside hidden states that are others than the given ones by a factor, and
+/// by their errors.
+void add_rescaled(const Problem& problem, const CompositeModel& composite, Sentences& said) {
+  const Assimilation& fit = composite.explanation.fit;
+  const DecisionOptions& decision = problem.options.decision;
+  if (composite.base->fit_options.hidden.empty()) return;
+  for (std::size_t j = 0; j < composite.base->fit_options.free.size(); ++j) {
+    const auto [equation, place] = fit.free[j];
+    const auto k = static_cast<std::size_t>(equation), at = static_cast<std::size_t>(place);
+    const WeightedTerm& nominal = problem.nominal.equations()[k][at];
+    const double given = nominal.coefficient;
+    if (given == 0.0) continue;
+    const double ratio = fit.model.equations()[k][at].coefficient / given;
+    const auto row = static_cast<Index>(j);
+    const double error = decision.significance / std::abs(given) *
+                         std::sqrt(std::max(0.0, fit.covariance(row, row)));
+    const bool is_said = ratio < -decision.minor || ratio > decision.out_of_scale;
+    if (is_said || (ratio - error <= decision.rescaled && ratio + error >= 1.0 / decision.rescaled))
+      continue;
+    if (takes_the_place(composite, equation, nominal.term)) continue;
+    said.push_back("beside hidden states the nominal coefficient of " + nominal.term.name() +
+                   " in " + where(problem, equation) + " changes from " +
+                   format_number(given, 4) + " to " + format_number(given * ratio, 4) +
+                   ": what moves it may not be what is named");
+  }
+}
+
 void add_turned_off(const Problem& problem, const CompositeModel& composite, Sentences& said) {
   for (const Index k : equations_turned_off(problem, composite))
     said.push_back("the records are met only without " + where(problem, k) +
@@ -209,6 +248,7 @@ Sentences reservations(const Problem& problem, const CompositeModel& composite,
   add_bounds(composite, said);
   add_cancelling(problem, composite, said);
   add_coefficients(problem, composite, said);
+  add_rescaled(problem, composite, said);
   add_idle(problem, composite, said);
   add_hardly_closing(problem, composite, said);
   add_unconfirmed(problem, composite, said);

@@ -22,8 +22,8 @@ std::vector<std::string> reservations(const Problem& problem, const CompositeMod
                                       const std::optional<Gap>& gap);
 
 /// Hidden states of which the fit turned the equation off: every coefficient is smaller by more
-/// than DecisionOptions::out_of_scale. What held the state still (a stop, a valve, a melting store) is
-/// not in the model then, and a constant in the place of the state meets the records.
+/// than DecisionOptions::out_of_scale. What held the state still (a stop, a valve, a melting
+/// store) is not in the model then, and a constant in the place of the state meets the records.
 std::vector<Index> equations_turned_off(const Problem& problem,
                                         const CompositeModel& composite);
 

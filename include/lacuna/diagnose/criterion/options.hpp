@@ -42,6 +42,7 @@ struct DecisionOptions {
   double input_noise = 0.6;
   double cancelling = 0.1;
   double out_of_scale = 10.0;
+  double rescaled = 2.0;
   double acting = 0.01;
   double filter_gain = 0.3;
   double dense_input = 0.5;

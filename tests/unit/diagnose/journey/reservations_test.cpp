@@ -131,6 +131,25 @@ TEST_F(Reservations, AHiddenStateWhoseEquationIsTurnedOffIsSaid) {
   EXPECT_TRUE(said(judged).empty());
 }
 
+TEST_F(Reservations, CoefficientsThatChangeMuchBesideHiddenStatesAreSaid) {
+  CompositeModel judged = composite(stop(-0.1));
+  OdeModel given = asked_.nominal;
+  std::vector<Equation> equations = given.equations();
+  for (WeightedTerm& summand : equations[1])
+    if (summand.term.name() == "v") summand.coefficient *= 3.0;  // the fit has a third of it
+  asked_.nominal = given.with_equations(equations);
+  EXPECT_TRUE(said(judged).empty()) << "every state is measured";
+  Baseline base = *judged.base;
+  base.fit_options.hidden = {false, true};
+  judged.base = std::make_shared<const Baseline>(base);
+  EXPECT_TRUE(speaks_of(said(judged), "the nominal coefficient of v in dv/dt changes from -0.6"));
+  asked_.options.decision.rescaled = 4.0;
+  EXPECT_TRUE(said(judged).empty());
+  asked_.options.decision.rescaled = 2.0;
+  judged.explanation.effects[0].candidate.form = parse_expression("tanh(v)*q");
+  EXPECT_TRUE(said(judged).empty()) << "the effect may stand in the place of the term";
+}
+
 TEST_F(Reservations, AnEffectOfFewSamplesIsSaid) {
   const CompositeModel bare = asked_.bare();
   Vector q = bare.explanation.fit.records[0].slots.col(0);
