@@ -15,12 +15,12 @@ namespace {
 constexpr double kNothing = 0.02;
 
 /// Size by which a change of each number is measured: its own, or the error that it would have
-/// if all others were known.
+/// if all others were known, with the sign of the number: a fraction of it is one of its size.
 Vector sizes_of(const DeterminedBy& problem) {
-  Vector sizes = problem.values.cwiseAbs();
+  Vector sizes = problem.values;
   for (Index j = 0; j < sizes.size(); ++j)
     if (const double norm = problem.triangle.col(j).norm(); norm > 0.0)
-      sizes[j] = std::max(sizes[j], 1.0 / norm);
+      sizes[j] = std::copysign(std::max(std::abs(sizes[j]), 1.0 / norm), sizes[j]);
   return sizes;
 }
 

@@ -44,6 +44,17 @@ TEST(Identifiability, AProductIsNamed) {
               ::testing::ElementsAre("k1 and k4 only as k1*k4"));
 }
 
+TEST(Identifiability, ALossIsNamedAsItWouldBeWithoutItsSign) {
+  // -a b is seen of a loss a and a gain b: a db + b da.
+  const Matrix seen = (Matrix(1, 2) << 4.0, -0.5).finished();
+  EXPECT_THAT(said(seen, Vector{{-0.5, 4.0}}, {"a", "b"}),
+              ::testing::ElementsAre("a and b only as a*b"));
+  // u / b^2 and b c, of a store that nobody measured and its root.
+  const Matrix store = (Matrix(2, 3) << 4.0, 4.0, 0.0, 0.0, 3.0, -0.5).finished();
+  EXPECT_THAT(said(store, Vector{{0.25, -0.5, 3.0}}, {"u", "b", "c"}),
+              ::testing::ElementsAre("u, b and c only as u/b^2 and b*c"));
+}
+
 TEST(Identifiability, AQuotientWithAPowerIsNamed) {
   // a / b^2: da / b^2 - 2 a / b^3 db.
   const Vector values = (Vector(2) << 3.0, 2.0).finished();
