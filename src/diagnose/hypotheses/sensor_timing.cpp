@@ -77,10 +77,12 @@ Assimilation before_filters(Assimilation fit, Index channel, double tau, std::si
 
 class SensorSearch {
  public:
-  SensorSearch(const Problem& problem, const CompositeModel& best)
+  /// @param needed a criterion that is not below this decides nothing.
+  SensorSearch(const Problem& problem, const CompositeModel& best, double needed)
       : problem_(problem),
         base_(*best.base),
         best_(best.explanation),
+        needed_(needed),
         times_(times_of(best_.effects, problem.nominal.time_unit())) {
     const Baseline& base = base_;
     for (Index k = 0; k < base.scope.model.dimension(); ++k)
@@ -163,24 +165,10 @@ class SensorSearch {
     });
   }
 
-  /// Fits from the starts from which rough ones come farthest.
-  std::vector<LateSensors> from_best_starts(const LateSensors& before,
-                                            const std::vector<FitStart>& starts) {
-    constexpr std::size_t kExactFits = 2;  // a fact of the search: neighbours of the best time
-    tried_ += static_cast<Index>(starts.size());
-    std::vector<LateSensors> exact;
-    for (const Explanation& rough : rough_fits(problem_, base_, starts)) {
-      if (exact.size() == kExactFits) break;
-      exact.push_back(
-          judged(explain_further_on(problem_, base_, rough), before.sensors + 1));
-    }
-    return exact;
-  }
-
-  /// A filter of first order, the best from several times on; the first sensor also along the
-  /// path of the composite model, from the times that this has. Where no other channel shows how
-  /// late one is, a path that follows its samples does not.
-  std::optional<LateSensors> with_one_filter(const LateSensors& before, const Candidate& form) {
+  /// A filter of first order on a channel, fitted roughly from several times on, best first; the
+  /// first sensor also along the path of the composite model, from the times that this has. Where
+  /// no other channel shows how late one is, a path that follows its samples does not.
+  std::vector<Explanation> rough_filters(const LateSensors& before, const Candidate& form) {
     // Facts of the search: the first of the times, in steps, and their ratio.
     constexpr double kFirstTime = 1.5, kRatioOfTimes = 4.0;
     std::vector<FitStart> starts;
@@ -194,9 +182,30 @@ class SensorSearch {
         paths.push_back(before_filters(best_.fit, form.equation, tau, 1));
         starts.push_back({with_sensor(before, form, tau), &paths.back()});
       }
+    tried_ += static_cast<Index>(starts.size());
+    return rough_fits(problem_, base_, starts);
+  }
+
+  /// The best filter of first order from where rough fits have come.
+  std::optional<LateSensors> with_one_filter(const LateSensors& before,
+                                             const std::vector<Explanation>& rough) const {
+    constexpr std::size_t kExactFits = 2;  // a fact of the search: neighbours of the best time
     std::optional<LateSensors> best;
-    for (LateSensors& one : from_best_starts(before, starts)) take_better(std::move(one), best);
+    for (std::size_t i = 0; i < std::min(kExactFits, rough.size()); ++i)
+      take_better(judged(explain_further_on(problem_, base_, rough[i]), before.sensors + 1), best);
     return best;
+  }
+
+  /// What filters on all channels gain together at most, by rough fits of each alone.
+  double most_gain(const LateSensors& before,
+                   const std::vector<std::vector<Explanation>>& rough) const {
+    // A decision (docs/decisions.md).
+    constexpr double kOptimism = 2.0;
+    double sum = 0.0;
+    for (const std::vector<Explanation>& channel : rough)
+      if (!channel.empty())
+        sum += std::max(0.0, before.criterion - criterion_of(problem_, base_, channel.front()));
+    return kOptimism * sum;
   }
 
   void take_better(LateSensors one, std::optional<LateSensors>& best) const {
@@ -204,16 +213,24 @@ class SensorSearch {
   }
 
   /// The best of all channels that are not among the sensors yet: one filter, or two from how
-  /// late the one is.
+  /// late the one is. Nothing where all together cannot gain what is needed.
   std::optional<LateSensors> with_one_more(const LateSensors& before) {
-    std::optional<LateSensors> best;
+    std::vector<std::size_t> channels;  // places of their filters of first order
+    std::vector<std::vector<Explanation>> rough;
     for (std::size_t f = 0; f + 1 < forms_.size(); f += 2) {
       if (has_sensor(before, forms_[f].equation)) continue;
-      std::optional<LateSensors> once = with_one_filter(before, forms_[f]);
+      channels.push_back(f);
+      rough.push_back(rough_filters(before, forms_[f]));
+    }
+    if (before.criterion - most_gain(before, rough) >= needed_) return std::nullopt;
+    std::optional<LateSensors> best;
+    for (std::size_t c = 0; c < channels.size(); ++c) {
+      std::optional<LateSensors> once = with_one_filter(before, rough[c]);
       if (!once) continue;
       const FittedEffect& filter = once->explanation.effects[before.sensors];
       const double half = 0.5 * filter.coefficient * filter.shapes[0];
-      LateSensors twice = with_form(before, forms_[f + 1], half, once->explanation.fit);
+      LateSensors twice =
+          with_form(before, forms_[channels[c] + 1], half, once->explanation.fit);
       take_better(std::move(twice), best);
       take_better(*std::move(once), best);
     }
@@ -239,6 +256,7 @@ class SensorSearch {
   const Problem& problem_;
   const Baseline& base_;
   const Explanation& best_;
+  double needed_;
   std::vector<double> times_;
   std::vector<Candidate> forms_;
   Index tried_ = 0;
@@ -280,8 +298,9 @@ Proposals SensorTiming::do_propose(const Problem& problem, const CompositeModel&
                    [&](const FittedEffect& effect) { return is_about_time(effect, unit); }))
     return {};
   problem.context.report("sensors that show their states late", 0.0);
-  SensorSearch search(problem, best);
   const double undecided = problem.options.decision.undecided;
+  const double theirs = criterion_of(problem, *best.base, best.explanation);
+  SensorSearch search(problem, best, theirs + undecided);
   std::optional<LateSensors> late;
   for (const Effects& others : beside_sensors(best, unit)) {  // the fewest come first
     LateSensors one = search.beside(others);
@@ -290,7 +309,6 @@ Proposals SensorTiming::do_propose(const Problem& problem, const CompositeModel&
   }
   if (!late) return {};
   const LateSensors& found = *late;
-  const double theirs = criterion_of(problem, *best.base, best.explanation);
   if (!(found.criterion < theirs + undecided)) return {};
   CompositeModel own = late_composite(problem, best, found, search.tried());
   if (found.criterion + undecided < theirs && !search.is_one_lateness(found))
