@@ -8,6 +8,7 @@
 #include <span>
 
 #include "core/base/text.hpp"
+#include "core/statistics/robust_statistics.hpp"
 #include "data/records/check_record.hpp"
 #include "data/records/piece_name.hpp"
 #include "lacuna/data/records/marks.hpp"
@@ -130,6 +131,30 @@ Dataset join_across_gaps(const Dataset& data, const GapOptions& options) {
     result.trajectories.push_back(joined({&pieces[first], end - first}));
   }
   return result;
+}
+
+std::vector<std::string> notes_on_jumps(const Dataset& data, const GapOptions& options) {
+  constexpr double kRegular = 0.9, kAlike = 0.1;  // facts: of the steps, of the median
+  check_columns(data, "notes_on_jumps");
+  std::vector<std::string> notes;
+  for (const Trajectory& record : data.trajectories) {
+    const Index n = record.samples() - 1;
+    if (n < 2) continue;
+    const Vector steps = record.time.tail(n) - record.time.head(n);
+    const double usual = median({steps.begin(), steps.end()});
+    Index at = 0;
+    const double longest = steps.maxCoeff(&at);
+    const auto alike = ((steps.array() - usual).abs() <= kAlike * usual).count();
+    if (static_cast<double>(alike) < kRegular * static_cast<double>(n) ||
+        longest <= (options.longest_gap + 0.5) * usual)
+      continue;
+    notes.push_back("time jumps from " + format_number(record.time[at]) + " to " +
+                    format_number(record.time[at + 1]) + " (" + record.source + ", " +
+                    format_number(longest / usual, 3) +
+                    " steps), and the model is carried on in between; where another record "
+                    "begins there, number the records in a column (--trajectory)");
+  }
+  return notes;
 }
 
 namespace {

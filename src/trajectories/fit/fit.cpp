@@ -14,6 +14,7 @@
 #include "fit_quality.hpp"
 #include "fit_search.hpp"
 #include "lacuna/core/base/error.hpp"
+#include "lacuna/records/binding/gaps.hpp"
 #include "lacuna/records/binding/model_view.hpp"
 #include "records/binding/other_records.hpp"
 #include "trajectories/fit/adequacy/fit_adequacy.hpp"
@@ -219,7 +220,8 @@ Fit fit(const SystemModel& system, const Dataset& records, const Dataset& held_o
   if (const std::string note = start_note(system, data); !note.empty())
     result.notes.push_back(note);
   const std::vector<std::string>& left_out = engine.records.notes;
-  for (const auto* more : {&data.notes, &left_out})
+  const std::vector<std::string> jumps = notes_on_jumps(data);
+  for (const auto* more : {&jumps, &data.notes, &left_out})
     result.notes.insert(result.notes.end(), more->begin(), more->end());
   return result;
 }

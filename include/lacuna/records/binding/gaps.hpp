@@ -33,6 +33,12 @@ struct GapOptions {
 /// @throws ArgumentError when a record has not the columns of the dataset.
 Dataset join_across_gaps(const Dataset& data, const GapOptions& options = {});
 
+/// What there is to be said of jumps in time inside records: where nine tenths of the steps of a
+/// record are alike and the longest is more than GapOptions::longest_gap of them, another record
+/// may begin behind it, with initial states of its own. Samples at uneven times have no jumps.
+/// @throws ArgumentError when a record has not the columns of the dataset.
+std::vector<std::string> notes_on_jumps(const Dataset& data, const GapOptions& options = {});
+
 /// Records that can be worked with, and what was done to get them.
 struct UsableRecords {
   Dataset data;

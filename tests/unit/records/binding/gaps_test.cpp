@@ -68,6 +68,21 @@ TEST(JoinAcrossGaps, DoesNotJoinFiles) {
   EXPECT_EQ(join_across_gaps(data).trajectories.size(), 2u);
 }
 
+TEST(NotesOnJumps, SaidWhereTimeIsRegularOtherwise) {
+  Dataset data = pieces({piece(0, 100, 1)});
+  EXPECT_TRUE(notes_on_jumps(data).empty());
+  Vector& time = data.trajectories[0].time;
+  const double step = time[1] - time[0];
+  time.tail(40).array() += 12.0 * step;
+  const std::vector<std::string> notes = notes_on_jumps(data);
+  ASSERT_EQ(notes.size(), 1u);
+  EXPECT_NE(notes[0].find("run.csv, record 1, 13 steps"), std::string::npos) << notes[0];
+  EXPECT_TRUE(notes_on_jumps(data, {.longest_gap = 13.0}).empty());
+  for (Index i = 0; i < time.size(); i += 5) time[i] += 0.3 * step;  // uneven
+  EXPECT_TRUE(notes_on_jumps(data).empty());
+  EXPECT_TRUE(notes_on_jumps(pieces({piece(0, 1, 1)})).empty());
+}
+
 TEST(UsableRecords, LeavesShortOnesOutAndSaysSo) {
   const UsableRecords usable = usable_records(
       pieces({piece(0, 12, 1), piece(14, 30, 2), piece(100, 119, 3), piece(200, 220, 4)}));
