@@ -312,17 +312,19 @@ SeenInStates in_states(const OdeModel& model, const Dataset& measured, const Dat
   return {std::move(seen), std::move(find), std::move(check)};
 }
 
-/// A context whose search ends early enough for what has to come behind it.
-RunContext with_time_for_an_answer(const RunContext& context) {
-  // A fact of cost: errors, gap and places of disagreement take the rest.
-  constexpr double kFractionOfSearch = 0.6;
-  RunContext searching = context;
-  if (!context.deadline) return searching;
+// Facts of cost: errors, gap and places of disagreement take what the search leaves; a start is
+// no more than that.
+constexpr double kFractionOfSearch = 0.6, kFractionOfStart = 0.2;
+
+/// A context whose deadline is that of a part of the time that is left.
+RunContext with_part_of_time(const RunContext& context, double fraction) {
+  RunContext part = context;
+  if (!context.deadline) return part;
   const auto now = std::chrono::steady_clock::now();
   const std::chrono::duration<double> left = *context.deadline - now;
-  searching.deadline = now + std::chrono::duration_cast<std::chrono::steady_clock::duration>(
-                                 kFractionOfSearch * left);
-  return searching;
+  part.deadline =
+      now + std::chrono::duration_cast<std::chrono::steady_clock::duration>(fraction * left);
+  return part;
 }
 
 /// Whether some state that has a rate was not measured: it is hidden, or made of others.
@@ -362,12 +364,13 @@ Diagnosis diagnose(const OdeModel& model, const Dataset& measured, const Dataset
   const BoundRecords as_measured = records.find;
   preprocess(known, options, context.unhurried(), records);
 
-  const RunContext searching = with_time_for_an_answer(context);
+  const RunContext searching = with_part_of_time(context, kFractionOfSearch);
   const Problem given{known, records.find, options, searching};
   given.memory->input_noise = noise_of_inputs(records.find.data);
   if (!hypotheses.empty() && has_unmeasured_states(nominal, records.find.data))
     given.memory->start =
-        fitted_start(seen, known, as_measured.data, noise_of(as_measured), context);
+        fitted_start(seen, known, as_measured.data, noise_of(as_measured),
+                     with_part_of_time(context, kFractionOfStart));
   JudgedModel inputs = judge_holds(given, hypotheses);
   const RunContext unhurried = context.unhurried();
   const Problem problem{*inputs.model, records.find, options, unhurried, given.memory};

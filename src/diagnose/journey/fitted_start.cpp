@@ -112,13 +112,16 @@ std::optional<OdeModel> fitted_start(const OdeModel& model, const OdeModel& nomi
                                      const Dataset& measured,
                                      const std::vector<StateNoise>& noise,
                                      const RunContext& context) {
-  context.report("fitting the nominal structure to whole records", 0.0);
-  const RunContext quiet{context.stop, {}, context.threads, context.seed};
+  context.unhurried().report("fitting the nominal structure to whole records", 0.0);
+  RunContext quiet = context;
+  quiet.progress = nullptr;
   try {
     const Fit found = determined_fit(with_shown_holds(model, measured), measured, noise, quiet);
     const OdeModel fitted = found.model.model();
     if (!have_the_same_terms(fitted, model)) return std::nullopt;
     return with_coefficients_of(fitted, nominal);
+  } catch (const OutOfTime&) {
+    return std::nullopt;  // the nominal numbers are a start, too
   } catch (const Error&) {
     return std::nullopt;  // what cannot be fitted so is diagnosed from where it is
   }

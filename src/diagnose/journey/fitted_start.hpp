@@ -13,7 +13,7 @@ namespace lacuna {
 
 /// The nominal model with the coefficients that fit() finds for its structure: what a refit
 /// explains is no structure. Where every state is measured linearised fits come there too.
-/// Nothing where no run is finite.
+/// Nothing where no run is finite, or the deadline comes first.
 /// @param model as it was given, with its outputs; @param nominal the same with output channels
 /// as states. @param measured records in the variables of the model that may choose.
 /// @param noise of each column of these.

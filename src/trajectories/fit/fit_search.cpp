@@ -292,7 +292,7 @@ FitSearch through_filters(FitEngine& engine, const FitUnknowns& unknowns, const 
 FitSearch from_given_start(FitEngine& engine, const FitUnknowns& unknowns,
                            const FitPoint& start, const FitSearchOptions& options,
                            const RunContext& context) {
-  const RunContext needed = context.unhurried();
+  const RunContext needed = options.rough ? context : context.unhurried();
   std::optional<FitMinimum> free;
   if (engine.implicit && std::isfinite(follow(engine, start, {}).cost))
     free = minimise(engine, unknowns, start, {}, options.most_iterations, needed);
@@ -300,6 +300,7 @@ FitSearch from_given_start(FitEngine& engine, const FitUnknowns& unknowns,
   try {
     return through_filters(engine, unknowns, start, free, options, free ? context : needed);
   } catch (const OutOfTime&) {
+    if (!free) throw;
     return {.best = std::move(*free), .in_time = false};
   }
 }

@@ -31,7 +31,8 @@ struct FitSearchOptions {
   int most_iterations = 60;     ///< of each minimisation
   std::size_t first_level = 0;  ///< of the falling disturbances, from which it begins
   bool only_given = false;      ///< whether no other start is tried
-  bool rough = false;           ///< whether the minimum of the search does, as it was found
+  /// Whether the minimum of the search does, as it was found; a deadline throws OutOfTime then.
+  bool rough = false;
   int range_starts = 0;         ///< at most so many anywhere in the ranges
   bool always_ranges = false;   ///< whether these are tried wherever the first fit ends
 };

@@ -38,7 +38,7 @@ struct FitOptions {
   std::optional<double> start_time = {};
   bool profile = false;   ///< whether profiles of the likelihood are wanted, at any cost
   /// A start of other fits is all that is wanted: steps and sizes of the noise stay those of the
-  /// search, intervals are those of standard errors.
+  /// search, intervals are those of standard errors. Past a deadline fit() throws OutOfTime then.
   bool rough = false;
   /// Normal noise of known size in each sample, in the place of one deviation of the channel.
   std::vector<KnownDeviation> deviations = {};

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
+
 #include "support/driven_oscillator.hpp"
 #include "support/grey_box.hpp"
 
@@ -43,6 +45,14 @@ TEST(FittedStart, KeepsOneOfTheNumbersThatAreKnownOnlyTogether) {
   const double into = start->coefficient(0, "u"), through = start->coefficient(1, "p");
   EXPECT_NEAR(into * through, 0.24, 0.02) << "they are known as a product";
   EXPECT_TRUE(into == off.coefficient(0, "u") || through == off.coefficient(1, "p"));
+}
+
+TEST(FittedStart, IsNoneWhereThereIsNoTime) {
+  const Dataset data = support::hidden_record(support::nothing, 0.01);
+  const OdeModel nominal = off_by(1.6);
+  RunContext late;
+  late.deadline = std::chrono::steady_clock::now();
+  EXPECT_FALSE(fitted_start(nominal, nominal, data, analyse_noise(data), late));
 }
 
 TEST(FittedStart, IsNoneWhereNoRunIsFinite) {
