@@ -104,6 +104,12 @@ TEST(HiddenDiagnosis, LeavesACubeWhatItIsWhenAToneHasGone) {
   EXPECT_EQ(found.spurious, 0) << found.answer;
 }
 
+TEST(HiddenDiagnosis, TonesThatOtherRecordsDoNotShowExplainNothing) {
+  const Score found =
+      diagnosed("oscillator-absorber", {"extra-state", "delay", "periodic-forcing"}, 0.05);
+  EXPECT_EQ(found.answer.rfind("partly-explained", 0), 0u) << found.answer;
+}
+
 TEST(HiddenDiagnosis, NamesDryFrictionInItsOwnWriting) {
   const Score found = diagnosed("motor-friction-limit");
   EXPECT_TRUE(found.verdict && found.equation && found.name) << found.answer;
