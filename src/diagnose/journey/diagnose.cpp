@@ -312,8 +312,8 @@ SeenInStates in_states(const OdeModel& model, const Dataset& measured, const Dat
   return {std::move(seen), std::move(find), std::move(check)};
 }
 
-// Facts of cost: errors, gap and places of disagreement take what the search leaves; a start is
-// no more than that.
+// Facts of cost, of the time that there is: errors, gap and places of disagreement take what the
+// search leaves, and a start of it may not take what it is a start for.
 constexpr double kFractionOfSearch = 0.6, kFractionOfStart = 0.2;
 
 /// A context whose deadline is that of a part of the time that is left.

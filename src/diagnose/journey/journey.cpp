@@ -289,17 +289,11 @@ CompositeModel without_names(const Problem& problem, const CompositeModel& compo
 
 std::optional<CompositeModel> with_only(const Problem& problem, const CompositeModel& composite,
                                         FunctionRef<bool(const FittedEffect&)> keeps) {
-  const std::vector<FittedEffect>& effects = composite.explanation.effects;
-  std::vector<FittedEffect> kept;
-  CompositeModel rest = composite;
-  rest.named.clear();
-  for (std::size_t e = 0; e < composite.named.size(); ++e) {
-    if (!keeps(effects[e])) continue;
-    kept.push_back(effects[e]);
-    rest.named.push_back(composite.named[e]);
-  }
-  if (kept.empty() || kept.size() == effects.size()) return std::nullopt;
-  return refitted_with(problem, std::move(rest), kept);
+  std::vector<std::size_t> others;
+  for (std::size_t e = 0; e < composite.named.size(); ++e)
+    if (!keeps(composite.explanation.effects[e])) others.push_back(e);
+  if (others.empty() || others.size() == composite.named.size()) return std::nullopt;
+  return without_effects(problem, composite, others);
 }
 
 CompositeModel without_claims(const Problem& problem, const CompositeModel& composite,

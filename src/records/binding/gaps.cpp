@@ -63,6 +63,11 @@ Trajectory joined(std::span<const Trajectory> pieces) {
           stacked_marks(pieces)};
 }
 
+/// Times are not exact multiples of the step: half of one more is still the same gap.
+double longest_time(const GapOptions& options, double step) {
+  return (options.longest_gap + 0.5) * step;
+}
+
 bool belongs_to(const Trajectory& before, const Trajectory& after, double longest_gap) {
   return before.has_derivatives() == after.has_derivatives() &&
          goes_on(before, after, longest_gap);
@@ -121,8 +126,7 @@ Dataset without_blank_stretches(Dataset data, double longest) {
 Dataset join_across_gaps(const Dataset& data, const GapOptions& options) {
   check_columns(data, "join_across_gaps");
   if (longest_record(data).samples() < 2) return data;  // there is no step to measure gaps by
-  // Times are not exact multiples of the step: half of one more is still the same gap.
-  const double longest_gap = (options.longest_gap + 0.5) * median_step(data);
+  const double longest_gap = longest_time(options, median_step(data));
   const std::vector<Trajectory>& pieces = data.trajectories;
   Dataset result{data.time_unit, data.states,        data.inputs, {},
                  data.rate_of,   data.reconstructed, data.notes};
@@ -134,7 +138,8 @@ Dataset join_across_gaps(const Dataset& data, const GapOptions& options) {
 }
 
 std::vector<std::string> notes_on_jumps(const Dataset& data, const GapOptions& options) {
-  constexpr double kRegular = 0.9, kAlike = 0.1;  // facts: of the steps, of the median
+  // Decisions (docs/decisions.md): of the steps, and of the median.
+  constexpr double kRegular = 0.9, kAlike = 0.1;
   check_columns(data, "notes_on_jumps");
   std::vector<std::string> notes;
   for (const Trajectory& record : data.trajectories) {
@@ -146,7 +151,7 @@ std::vector<std::string> notes_on_jumps(const Dataset& data, const GapOptions& o
     const double longest = steps.maxCoeff(&at);
     const auto alike = ((steps.array() - usual).abs() <= kAlike * usual).count();
     if (static_cast<double>(alike) < kRegular * static_cast<double>(n) ||
-        longest <= (options.longest_gap + 0.5) * usual)
+        longest <= longest_time(options, usual))
       continue;
     notes.push_back("time jumps from " + format_number(record.time[at]) + " to " +
                     format_number(record.time[at + 1]) + " (" + record.source + ", " +
