@@ -258,7 +258,8 @@ class JointFit {
       return at(best.fit, std::move(effects), kStepPasses);
     };
     Moved result{at_part(part), part};
-    for (int halving = 0; halving < kHalvings && !(result.fit.fit.deviance < best.fit.deviance);
+    const double noticed = best.fit.deviance + kUnnoticedDeviance;
+    for (int halving = 0; halving < kHalvings && !(result.fit.fit.deviance <= noticed);
          ++halving) {
       part *= 0.5;
       result = {at_part(part), part};

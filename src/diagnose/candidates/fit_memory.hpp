@@ -22,8 +22,8 @@ std::string fit_key(const std::string& kind, const JointFitTask& task,
 /// (a copy of very large ones costs more than it saves). Several threads may ask at a time.
 class FitMemory {
  public:
-  /// A fact of the machines: 256 MB.
-  static constexpr Index kMostNumbers = Index{1} << 25;
+  /// A fact of the machines: 512 MB.
+  static constexpr Index kMostNumbers = Index{1} << 26;
 
   /// A fact of searches: what two rounds fit.
   static constexpr Index kFewest = 32;
