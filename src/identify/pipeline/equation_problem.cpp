@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "equation_problem.hpp"
 
+#include <chrono>
 #include <optional>
 #include <utility>
 
@@ -29,6 +30,15 @@ auto in_time(Work work) -> std::optional<decltype(work())> {
   }
 }
 
+/// The run to read rows in, whose time is up where it does not do.
+RunContext for_reading(Index rows, Index columns, RunContext context) {
+  using Clock = std::chrono::steady_clock;
+  if (!context.deadline) return context;
+  const std::chrono::duration<double> left = *context.deadline - Clock::now();
+  if (!can_be_read(rows, columns, left.count(), context.threads)) context.deadline = Clock::now();
+  return context;
+}
+
 }  // namespace
 
 EquationProblem equation_problem(const RecordStream& records, const Pipeline& pipeline,
@@ -42,7 +52,10 @@ EquationProblem equation_problem(const RecordStream& records, const Pipeline& pi
       cheap_terms(libraries.library, records.samples(), records.excerpt().state_count());
   const bool may_be_fewer = libraries.allowed.empty() && context.team == nullptr &&
                             static_cast<Index>(cheap.size()) < libraries.library.size();
-  auto system = in_time([&] { return rows(may_be_fewer ? timed : unhurried); });
+  auto system = in_time([&] {
+    const Index columns = libraries.library.size() + records.excerpt().state_count();
+    return rows(may_be_fewer ? for_reading(records.samples(), columns, timed) : unhurried);
+  });
   const Index all = libraries.library.size();
   if (!system) {
     libraries.library = with_terms(cheap, libraries.library);

@@ -60,6 +60,12 @@ TermSet cheap_terms(const TermLibrary& library, Index rows, Index targets) {
   return cheap;
 }
 
+bool can_be_read(Index rows, Index columns, double seconds, int threads) {
+  constexpr double kMostProducts = 5e10;  // a second of a thread: a fact of the machines
+  const auto wide = static_cast<double>(columns);
+  return static_cast<double>(rows) * wide * wide <= kMostProducts * seconds * threads;
+}
+
 TermSet leading_candidates(const LeastSquaresSystem& system, Index target,
                            const TermSet& candidates, const RunContext& context) {
   if (static_cast<Index>(candidates.size()) <= kLeading) return candidates;

@@ -13,6 +13,10 @@ namespace lacuna {
 /// of two variables.
 TermSet cheap_terms(const TermLibrary& library, Index rows, Index targets);
 
+/// Whether rows of so many columns can be read in so many seconds by any machine there is. Past
+/// the deadline nothing is left of rows of which not all were read.
+bool can_be_read(Index rows, Index columns, double seconds, int threads);
+
 /// The candidates of an equation that orthogonal least squares takes first, so many that all
 /// rules are cheap; all of few.
 TermSet leading_candidates(const LeastSquaresSystem& system, Index target,

@@ -3,8 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
+
 
 #include "core/base/random.hpp"
+#include "lacuna/bases/monomials.hpp"
 #include "lacuna/identify/pipeline/presets.hpp"
 #include "unit/identify/pipeline/records.hpp"
 
@@ -62,6 +65,17 @@ TEST(EquationProblem, PastTheDeadlineASmallLibraryIsWhole) {
       problem_of(random_record(300, 3), algorithm1(), past_the_deadline());
   EXPECT_EQ(problem.system.terms(), 20);
   EXPECT_EQ(problem.left_out, 0);
+}
+
+TEST(EquationProblem, WhatCannotBeReadInTimeIsNotBegun) {
+  RunContext context;  // ends long before 1e12 products, and long after 1e9
+  context.deadline = std::chrono::steady_clock::now() + std::chrono::seconds(10);
+  Pipeline pipeline = algorithm1();
+  pipeline.basis = Monomials{{.max_degree = 4}};
+  const EquationProblem problem = problem_of(random_record(40000, 15), pipeline, context);
+  EXPECT_EQ(problem.system.terms(), 136);
+  EXPECT_EQ(problem.left_out, 3876 - 136);
+  EXPECT_TRUE(problem.is_filtered);
 }
 
 TEST(EquationProblem, PastTheDeadlineTooFewSamplesAreAnError) {

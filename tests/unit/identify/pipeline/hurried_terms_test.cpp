@@ -36,6 +36,14 @@ TEST(CheapTerms, AFunctionIsLikeAProductOfTwo) {
   EXPECT_EQ(cheap_terms(library, 100000000, 1), (TermSet{1, 2}));
 }
 
+TEST(CanBeRead, IsAMatterOfProductsAndTime) {
+  EXPECT_TRUE(can_be_read(10000, 1791, 1.0, 1));    // 3.2e10 products
+  EXPECT_FALSE(can_be_read(10000, 1791, 0.5, 1));
+  EXPECT_TRUE(can_be_read(10000, 1791, 0.5, 2));
+  EXPECT_FALSE(can_be_read(15000, 12381, 3.0, 2));  // 2.3e12
+  EXPECT_FALSE(can_be_read(10, 10, -1.0, 2));
+}
+
 /// y = 2 theta_7 - theta_290 + noise, in so many columns.
 LeastSquaresSystem system_of(Index columns, Folding folding) {
   std::srand(3);
