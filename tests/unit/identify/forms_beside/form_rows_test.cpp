@@ -83,6 +83,7 @@ TEST(FormRows, AColumnIsTheSameAloneAndBesideAnyOthers) {
   for (int k = 0; k < 19; ++k)
     forms.push_back(parse_expression("sin(x + " + std::to_string(k) + "*y)"));
   const Matrix together = rows.columns(forms);
+  ASSERT_FALSE(forms.empty());
   for (std::size_t k = 0; k < forms.size(); ++k)
     EXPECT_EQ(rows.columns({forms[k]}).col(0), together.col(static_cast<Index>(k))) << k;
 }
