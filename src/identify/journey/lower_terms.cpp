@@ -136,8 +136,10 @@ std::optional<IdentificationResult> without_a_doubtful_term(const Pipeline& cent
       Places rest = library.all_of((*structure)[k]);
       rest.erase(term);
       if (rest.empty()) continue;
+      if (context.is_late()) return std::nullopt;  // a model in a hurry is no better one
       IdentificationResult other =
           identify(records, without_term(centred, library, found, *structure, k, term), context);
+      if (context.is_late()) return std::nullopt;
       const auto less = structure_of(library, other.model);
       if (!less) continue;
       const double fewer = static_cast<double>(library.all_of((*structure)[k]).size()) -

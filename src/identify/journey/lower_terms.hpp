@@ -14,7 +14,8 @@ namespace lacuna {
 /// lacks lower ones is left out on trial and all of them are let in; that model is taken where
 /// its chi squared is not larger by log n for each term that it has fewer about every point
 /// (marginality of polynomials: Nelder, J. Roy. Stat. Soc. A 140 (1977) 48; Peixoto, American
-/// Statistician 44 (1990) 26). A model with other basis functions stays as it is.
+/// Statistician 44 (1990) 26). A model with other basis functions stays as it is. Past
+/// the deadline nothing is tried.
 /// @param plain the pipeline before its library was centred.
 /// @throws as identify().
 IdentificationResult with_lower_terms(const Pipeline& plain, const Pipeline& centred,

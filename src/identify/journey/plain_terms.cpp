@@ -61,9 +61,11 @@ std::optional<IdentificationResult> with_a_plain_term(const Pipeline& pipeline,
     for (const WeightedTerm& summand : found.model.equations()[k]) {
       const auto plain = without_inputs(summand.term, variables);
       if (!plain || found.fit[k].identity) continue;
+      if (context.is_late()) return std::nullopt;  // a model in a hurry is no better one
       Pipeline other = pipeline;
       other.equations = terms_with(found, k, summand.term.name(), *plain);
       IdentificationResult result = identify(records, other, context);
+      if (context.is_late()) return std::nullopt;
       const double most = std::log(static_cast<double>(std::max<Index>(found.fit[k].rows, 1)));
       const double more = chi_squared_over(result, found);
       if (size_of(result.model) > size_of(found.model) || !(more <= most)) continue;

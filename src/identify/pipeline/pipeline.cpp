@@ -2,6 +2,7 @@
 #include "lacuna/identify/pipeline/pipeline.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <mutex>
 
@@ -10,8 +11,13 @@
 #include "core/base/text.hpp"
 #include "data/records/known_noise.hpp"
 #include "data/records/number_range.hpp"
+#include "equation_problem.hpp"
+#include "fit_doubts.hpp"
+#include "hurried_terms.hpp"
 #include "lacuna/core/statistics/interval.hpp"
+#include "lacuna/identify/pipeline/presets.hpp"
 #include "refined_result.hpp"
+#include "trail_writer.hpp"
 
 namespace lacuna {
 namespace {
@@ -20,14 +26,17 @@ namespace {
 struct Run {
   const Dataset& data;
   const Pipeline& pipeline;
-  const RunContext& context;   ///< of what every answer needs
+  RunContext context;          ///< of what every answer needs
+  RunContext choosing;         ///< with the deadline, of the choice of terms
+  RunContext grace;            ///< with a later one, of what an equation is without it
   const RunContext& refining;  ///< with the deadline
-  const TermLibrary& library;
-  const LeastSquaresSystem& system;
-  const FilterResult& filtered;
-  const Vector& noise;  ///< of the states by the record itself; none of a map
-  const EquationLibraries& libraries;
+  const EquationProblem& problem;
+  const Vector& noise;         ///< of the states by the record itself; none of a map
   const KnownNoise& analysed;  ///< the same in full
+
+  const TermLibrary& library = problem.libraries.library;
+  const LeastSquaresSystem& system = problem.system;
+  const EquationLibraries& libraries = problem.libraries;
 };
 
 /// What is found out about one equation.
@@ -36,43 +45,12 @@ struct EquationOutcome {
   EquationFit fit;
   std::vector<TrailEntry> trail;
   std::vector<std::string> warnings;
+  bool hurried = false;  ///< whether its terms come from fewer candidates, or by a cheaper rule
 };
 
 std::string stage_name(const StageInterface& stage, std::string_view kind) {
   return std::string(kind) + " " + std::string(stage.info().name);
 }
-
-/// The fate of every candidate of one equation, in library order.
-class TrailWriter {
- public:
-  TrailWriter(const Run& run, std::string equation) {
-    for (const Term& term : run.library.terms)
-      entries_.push_back({.equation = equation, .term = term.name()});
-  }
-
-  void removed(const std::vector<Removal>& removals, const std::string& stage) {
-    for (const Removal& removal : removals) {
-      TrailEntry& entry = at(removal.term);
-      entry.stage = stage;
-      entry.quantity = removal.quantity;
-      entry.value = removal.value;
-      entry.threshold = removal.threshold;
-      entry.step = removal.step;
-    }
-  }
-
-  void kept(Index term, double coefficient) {
-    at(term).kept = true;
-    at(term).quantity = "coefficient";
-    at(term).value = coefficient;
-  }
-
-  std::vector<TrailEntry> take() { return std::move(entries_); }
-
- private:
-  TrailEntry& at(Index term) { return entries_[static_cast<std::size_t>(term)]; }
-  std::vector<TrailEntry> entries_;
-};
 
 /// dx_k/dt = x_j, which needs no fit.
 EquationOutcome identity(const Run& run, Index state, Index rate) {
@@ -106,14 +84,15 @@ EquationFit summarise(const Run& run, Index state, const Regression& regression)
 TermSet candidates_of(const Run& run, Index state, TrailWriter& trail) {
   const auto k = static_cast<std::size_t>(state);
   const EquationLibraries& libraries = run.libraries;
+  const FilterResult& filtered = run.problem.filtered;
   const bool own = !libraries.own.empty() && libraries.own[k];
   if (!own)
-    trail.removed(run.filtered.removed, stage_name(*run.pipeline.filter, TermFilter::kKind));
-  if (libraries.allowed.empty()) return run.filtered.kept;
+    trail.removed(filtered.removed, stage_name(*run.pipeline.filter, TermFilter::kKind));
+  if (libraries.allowed.empty()) return filtered.kept;
   for (Index l = 0; l < run.library.size(); ++l)
     if (!std::binary_search(libraries.allowed[k].begin(), libraries.allowed[k].end(), l))
       trail.removed({{.term = l, .quantity = "not in the equation's library"}}, "library");
-  return own ? libraries.allowed[k] : common_terms(run.filtered.kept, libraries.allowed[k]);
+  return own ? libraries.allowed[k] : common_terms(filtered.kept, libraries.allowed[k]);
 }
 
 /// Variance of each coefficient; empty where there are no rows left to estimate it from.
@@ -161,18 +140,24 @@ void write_equation(const Run& run, Index state, const Regression& regression,
                                std::to_string(regression.iterations) + " iterations");
 }
 
-EquationOutcome fit_equation(const Run& run, Index state) {
-  const Regressor& regressor = *run.pipeline.regressor;
-  const TermPruner& pruner = *run.pipeline.pruner;
-  const std::string name = run.data.states[static_cast<std::size_t>(state)].name;
-  TrailWriter trail(run, name);
-  const PruneResult pruned =
-      pruner.prune(run.system, state, candidates_of(run, state, trail), regressor, run.context);
-  trail.removed(pruned.removed, stage_name(pruner, TermPruner::kKind));
+/// How the terms of an equation are chosen and fitted.
+struct EquationRule {
+  const TermPruner& pruner;
+  const Regressor& regressor;
+  Effort effort = Effort::Final;
+};
 
-  const Regression regression = regressor.fit(
-      run.system, run.system.subproblem(state, pruned.kept), Effort::Final, run.context);
-  trail.removed(regression.removed, stage_name(regressor, Regressor::kKind));
+/// @throws OutOfTime past the deadline of the context.
+EquationOutcome chosen_from(const Run& run, Index state, const TermSet& candidates,
+                            const EquationRule& rule, TrailWriter trail,
+                            const RunContext& context) {
+  const PruneResult pruned =
+      rule.pruner.prune(run.system, state, candidates, rule.regressor, context);
+  trail.removed(pruned.removed, stage_name(rule.pruner, TermPruner::kKind));
+
+  const Regression regression = rule.regressor.fit(
+      run.system, run.system.subproblem(state, pruned.kept), rule.effort, context);
+  trail.removed(regression.removed, stage_name(rule.regressor, Regressor::kKind));
 
   EquationOutcome outcome;
   outcome.fit = summarise(run, state, regression);
@@ -181,22 +166,42 @@ EquationOutcome fit_equation(const Run& run, Index state) {
   return outcome;
 }
 
+/// What an equation is where there was no time for all of its candidates: by its own rule from
+/// the leading ones, or by one without passes over the rows where that takes too long.
+EquationOutcome hurried_equation(const Run& run, Index state, const TermSet& candidates,
+                                 const EquationRule& rule, TrailWriter trail) {
+  const TermSet leading = leading_candidates(run.system, state, candidates, run.context);
+  for (const Index term : terms_beside(candidates, leading))
+    trail.removed({{.term = term, .quantity = "not among the terms that explain most"}},
+                  kTimeIsUp);
+  try {
+    EquationOutcome outcome = chosen_from(run, state, leading, rule, trail, run.grace);
+    outcome.hurried = leading.size() < candidates.size();
+    return outcome;
+  } catch (const OutOfTime&) {
+    const Pipeline cheap = algorithm1();
+    EquationOutcome outcome =
+        chosen_from(run, state, leading, {*cheap.pruner, *cheap.regressor, Effort::Selection},
+                    std::move(trail), run.context);
+    outcome.hurried = true;
+    return outcome;
+  }
+}
+
+EquationOutcome fit_equation(const Run& run, Index state) {
+  TrailWriter trail(run.library, run.data.states[static_cast<std::size_t>(state)].name);
+  const TermSet candidates = candidates_of(run, state, trail);
+  const EquationRule rule{*run.pipeline.pruner, *run.pipeline.regressor};
+  try {
+    return chosen_from(run, state, candidates, rule, trail, run.choosing);
+  } catch (const OutOfTime&) {
+    return hurried_equation(run, state, candidates, rule, std::move(trail));
+  }
+}
+
 EquationOutcome outcome_of(const Run& run, Index state) {
   const std::optional<Index> rate = run.data.rate_state(state);
   return rate ? identity(run, state, *rate) : fit_equation(run, state);
-}
-
-/// Holds the residual against what measurement noise alone makes of the target.
-void compare_with_noise(EquationFit& fit, std::vector<std::string>& warnings) {
-  const double noise = fit.noise_floor.value_or(0.0);
-  if (noise <= 0.0) return;
-  fit.fits_to_noise = fit.residual_rms <= 2.0 * noise;
-  if (*fit.fits_to_noise) return;
-  fit.doubt = "d" + fit.equation + "/dt: the residual (rms " +
-              format_number(fit.residual_rms, 3) + ") is " +
-              format_number(fit.residual_rms / noise, 2) +
-              " times what measurement noise explains";
-  warnings.push_back(fit.doubt);
 }
 
 void note_noise_floors(const Run& run, IdentificationResult& result) {
@@ -205,22 +210,6 @@ void note_noise_floors(const Run& run, IdentificationResult& result) {
       run.pipeline.formulation->target_noise(run.data, result.noise);
   for (std::size_t k = 0; k < result.fit.size() && floor; ++k)
     if (!result.fit[k].identity) result.fit[k].noise_floor = (*floor)[static_cast<Index>(k)];
-}
-
-/// Judges every fitted equation, by the noise where it is known.
-void judge_fits(IdentificationResult& result) {
-  // A decision on a warning (docs/decisions.md).
-  constexpr double kPoorFit = 0.1;
-  for (EquationFit& fit : result.fit) {
-    if (fit.identity) continue;
-    compare_with_noise(fit, result.warnings);
-    if (!fit.fits_to_noise && fit.residual_rms > kPoorFit * fit.target_rms)
-      result.warnings.push_back(left_hand_side(fit.equation, result.model.evolution()) +
-                                ": the terms leave " +
-                                format_number(100.0 * fit.residual_rms / fit.target_rms, 2) +
-                                (result.model.is_map() ? " % of the next sample unexplained"
-                                                       : " % of the derivative unexplained"));
-  }
 }
 
 /// Residuals of the equations as a refiner has left them.
@@ -263,15 +252,13 @@ std::vector<EquationOutcome> fit_equations(const Run& run) {
     }
     return outcomes;
   }
-  RunContext silent = run.context;
-  silent.progress = nullptr;
-  silent.threads = 1;
-  const Run each{run.data,   run.pipeline, silent,    run.refining,  run.library,
-                 run.system, run.filtered, run.noise, run.libraries, run.analysed};
+  Run each = run;
+  for (RunContext* context : {&each.context, &each.choosing, &each.grace})
+    *context = context->beside_others();
   std::mutex reporting;
   std::size_t done = 0;
   parallel_for(states, run.context.threads, [&](std::size_t k) {
-    silent.check_stop();
+    each.context.check_stop();
     outcomes[k] = outcome_of(each, static_cast<Index>(k));
     const std::lock_guard lock(reporting);
     run.context.report("fitting equations", double(++done) / double(states));
@@ -349,6 +336,29 @@ std::vector<std::string> warnings_of(std::vector<EquationOutcome> outcomes,
   return warnings;
 }
 
+/// What of the choice of terms there was no time for.
+void enter_hurry(const Run& run, const std::vector<EquationOutcome>& outcomes,
+                 IdentificationResult& result) {
+  const auto left_out = [&](auto stage) { result.stages.push_back({stage, false, kTimeIsUp}); };
+  if (run.problem.left_out > 0) {
+    left_out(kLibraryStage);
+    result.warnings.push_back(std::to_string(run.problem.left_out) + " of " +
+                              std::to_string(run.library.size() + run.problem.left_out) +
+                              " candidates, those of the highest degrees, were not looked at: " +
+                              kTimeIsUp);
+  }
+  if (!run.problem.is_filtered) left_out(kFilterStage);
+  std::vector<std::string> hurried;
+  for (std::size_t k = 0; k < outcomes.size(); ++k)
+    if (outcomes[k].hurried)
+      hurried.push_back(left_hand_side(result.fit[k].equation, result.model.evolution()));
+  if (hurried.empty()) return;
+  left_out(kEliminationStage);
+  const bool all = hurried.size() == outcomes.size();
+  result.warnings.push_back((all ? "every equation" : join(hurried, ", ")) +
+                            ": terms chosen from those that explain most: " + kTimeIsUp);
+}
+
 IdentificationResult run_equations(const Run& run, const FirstAnswer& first) {
   std::vector<EquationOutcome> outcomes = fit_equations(run);
   std::vector<Equation> equations;
@@ -369,6 +379,7 @@ IdentificationResult run_equations(const Run& run, const FirstAnswer& first) {
   if (run.libraries.is_constrained()) measure_residuals(run, result);
   note_noise_floors(run, result);
   result.stages.push_back({kEquationsStage});
+  enter_hurry(run, outcomes, result);
   if (first && run.context.leads()) first(result);
   if (run.context.leads() && !refine_in_time(run, std::move(active), result)) judge_fits(result);
   std::vector<std::string> warnings = warnings_of(std::move(outcomes), result.model);
@@ -377,6 +388,15 @@ IdentificationResult run_equations(const Run& run, const FirstAnswer& first) {
   if (!run.context.leads()) return result;
   result.adequacy = adequacy_of_equations(result.fit);
   return result;
+}
+
+/// For what is done past the deadline where it does not take long.
+RunContext with_grace(RunContext context) {
+  // A decision on what is worth more than the limit (docs/decisions/numbers.md).
+  constexpr std::chrono::milliseconds kGrace{100};
+  if (context.deadline)
+    context.deadline = std::max(*context.deadline, std::chrono::steady_clock::now()) + kGrace;
+  return context;
 }
 
 std::string excerpt_note(const RecordStream& records) {
@@ -395,9 +415,8 @@ IdentificationResult identify(const RecordStream& records, const Pipeline& pipel
       is_map && records.in_memory() ? *records.in_memory() : records.excerpt();
   check_dataset(data, context.threads);
   check_number_range(data);
-  const EquationLibraries libraries =
+  EquationLibraries libraries =
       equation_libraries(pipeline.basis->library(variables_of(data)), data, pipeline);
-  const TermLibrary& library = libraries.library;
   unhurried.report("reading rows", 0.0);
   Pipeline fitted = pipeline;
   if (is_map && pipeline.energy_preserving)
@@ -408,11 +427,12 @@ IdentificationResult identify(const RecordStream& records, const Pipeline& pipel
       is_map ? std::nullopt : KnownNoise(records.noise(context.threads));
   const Vector noise = is_map ? Vector() : white_noise(*analysed);
   fitted.formulation = fitted_to(pipeline.formulation, data, noise);
-  const LeastSquaresSystem system = fitted.formulation->assemble(records, library, unhurried);
-  unhurried.report("filtering terms", 0.0);
-  const FilterResult filtered = fitted.filter->filter(system, unhurried);
+  const EquationProblem problem =
+      equation_problem(records, fitted, std::move(libraries), context);
+  const bool alone = context.team == nullptr;
   IdentificationResult result = run_equations(
-      {data, fitted, unhurried, context, library, system, filtered, noise, libraries, analysed},
+      {data, fitted, unhurried, alone ? context : unhurried,
+       alone ? with_grace(context) : unhurried, context, problem, noise, analysed},
       first);
   if (records.is_long() && !is_map) result.warnings.push_back(excerpt_note(records));
   unhurried.report("fitting equations", 1.0);

@@ -315,6 +315,7 @@ std::vector<Relation> find_relations(const Dataset& data, const RelationOptions&
                                      const RunContext& context, const KnownNoise& noise) {
   check_dataset(data);
   check_known(noise, data, "find_relations");
+  context.check_stop();
   Index measured = 0;
   for (Index k = 0; k < data.state_count(); ++k)
     if (data.is_measured(k)) ++measured;

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "regression/linear/triangular.hpp"
+
 namespace lacuna {
 namespace {
 
@@ -78,12 +80,24 @@ Vector column_of(const Factor& factor, Index term, bool unit_norm) {
   return unit_norm ? column : Vector(column * factor.column_norms[term]);
 }
 
+/// Whether columns of unit norm are so far from dependent that no step can find otherwise: the
+/// smallest singular value is not below 1 / (sqrt(L) |R^-1|_1), and the estimate of that norm is
+/// mostly exact.
+bool are_all_independent(const Factor& factor, double eps) {
+  constexpr double kMargin = 100.0;  // a fact of the estimate, which may be too small
+  const Index size = factor.terms();
+  const Matrix triangle = factor.triangle.topLeftCorner(size, size);
+  const double inverse = inverse_norm_estimate(triangle);
+  return inverse > 0.0 && static_cast<double>(size) * inverse * inverse * kMargin * eps < 1.0;
+}
+
 }  // namespace
 
 FilterResult Abm::do_filter(const LeastSquaresSystem& system, const RunContext& context) const {
   const Factor& factor = system.factor();
   const bool relative = options().tolerances == AbmOptions::Tolerances::Relative;
   const double eps = options().effective_eps();
+  if (relative && are_all_independent(factor, eps)) return {system.all_terms(), {}};
   GrowingFactor accepted(factor.terms());
   FilterResult result;
   for (Index j = 0; j < factor.terms(); ++j) {

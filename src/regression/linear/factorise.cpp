@@ -81,9 +81,12 @@ std::optional<Factor> factor_of_gram(const Shape& shape, const Matrix& gram, Fol
   return resolved ? std::optional<Factor>(std::move(factor)) : std::nullopt;
 }
 
-Factor factor_from_gram(const RowSource& rows, const Shape& shape, const Matrix& gram,
-                        Folding folding, const RunContext& context) {
-  if (auto factor = factor_of_gram(shape, gram, folding, context)) return *std::move(factor);
+Factor factor_from_gram(const RowSource& rows, const Shape& shape, Matrix gram, Folding folding,
+                        const RunContext& context) {
+  if (auto factor = factor_of_gram(shape, gram, folding, context)) {
+    if (shape.terms > kWideTerms) factor->gram = std::move(gram);
+    return *std::move(factor);
+  }
   return orthogonal_factor(shape, fold_orthogonal(rows, context));
 }
 
@@ -181,6 +184,7 @@ std::optional<Factor> deflated_factor(const RowSource& rows, const Shape& shape,
 }
 
 void unscale(Factor& factor, const std::vector<int>& exponents) {
+  factor.gram.resize(0, 0);  // its squares may be beyond the range of numbers
   const auto unscaled = [&](double value, Index column) {
     return std::ldexp(value, exponents[static_cast<std::size_t>(column)]);
   };
@@ -204,7 +208,7 @@ Factor factorise(const RowSource& rows, Folding folding, ColumnName name,
   if (deflated)
     if (auto factor = deflated_factor(rows, shape, context)) return *std::move(factor);
   const bool orthogonal = deflated || folding == Folding::Orthogonal;
-  const Matrix folded = orthogonal ? fold_orthogonal(rows, context) : fold_gram(rows, context);
+  Matrix folded = orthogonal ? fold_orthogonal(rows, context) : fold_gram(rows, context);
   const Vector squares =
       orthogonal ? Vector(folded.colwise().squaredNorm().transpose()) : folded.diagonal();
   if (!squares_in_range(squares)) {
@@ -216,7 +220,7 @@ Factor factorise(const RowSource& rows, Folding folding, ColumnName name,
     }
   }
   return orthogonal ? orthogonal_factor(shape, folded)
-                    : factor_from_gram(rows, shape, folded, folding, context);
+                    : factor_from_gram(rows, shape, std::move(folded), folding, context);
 }
 
 }  // namespace lacuna

@@ -25,6 +25,7 @@ class Deflation {
         basis_(columns.rows(), 0) {}
 
   double left() const { return rest_.squaredNorm(); }
+  Vector& sizes() { return sizes_; }
 
   /// The column that is worth most; nothing new is left when its gain is 0.
   double best(Index& column) const {
@@ -77,6 +78,7 @@ class GramDeflation {
         shares_(q, 0) {}
 
   double left() const { return std::max(left_, 0.0); }
+  Vector& sizes() { return sizes_; }
 
   double best(Index& column) const {
     const auto is_new = sizes_.array() > smallest_.array();
@@ -110,8 +112,22 @@ class GramDeflation {
   Matrix shares_;  ///< of the columns in the directions that were taken
 };
 
-void check_first(const ForwardLimits& limits, Index columns) {
-  for (const Index j : limits.first) check_number(j, columns, "forward_order", "column");
+void check_named(const ForwardLimits& limits, Index columns) {
+  for (const auto* named : {&limits.first, &limits.only})
+    for (const Index j : *named) check_number(j, columns, "forward_order", "column");
+}
+
+/// Nothing of a column of size 0 is new.
+void leave_out_others(const std::vector<Index>& only, Vector& sizes) {
+  if (only.empty()) return;
+  auto next = only.begin();
+  for (Index j = 0; j < sizes.size(); ++j) {
+    const bool stays = next != only.end() && *next == j;
+    if (stays)
+      ++next;
+    else
+      sizes[j] = 0.0;
+  }
 }
 
 template <class Columns>
@@ -122,6 +138,7 @@ ForwardOrder ordered(Columns columns, const ForwardLimits& limits, const RunCont
     if (columns.take(j)) order.columns.push_back(j);
   };
   for (const Index j : limits.first) take(j);
+  leave_out_others(limits.only, columns.sizes());
   const auto wanted = [&] {
     return static_cast<Index>(order.columns.size()) < limits.fewest ||
            columns.left() > limits.enough;
@@ -137,7 +154,7 @@ ForwardOrder forward_order(const Eigen::Ref<const Matrix>& columns, const Vector
                            const ForwardLimits& limits, const RunContext& context) {
   check_argument(columns.rows() == target.size(), "forward_order",
                  "columns and target differ in rows");
-  check_first(limits, columns.cols());
+  check_named(limits, columns.cols());
   return ordered(Deflation(columns, target), limits, context);
 }
 
@@ -147,7 +164,7 @@ ForwardOrder forward_order_in_gram(const Matrix& gram, Index q, Index target,
   check_number(target, gram.cols(), "forward_order", "target");
   check_argument(q >= 0 && q <= target, "forward_order", "the target is among the columns",
                  "give the columns first");
-  check_first(limits, q);
+  check_named(limits, q);
   return ordered(GramDeflation(gram, q, target), limits, context);
 }
 

@@ -20,13 +20,14 @@ struct ForwardLimits {
   std::vector<Index> first = {};  ///< taken before all others
   Index fewest = 0;               ///< taken in any case, as far as there are so many
   double enough = 0.0;            ///< more are taken as long as more than this is left
+  std::vector<Index> only = {};   ///< no others are taken, increasing; empty: any
 };
 
 /// Takes the column of A (h x q) that lowers |y - A h|^2 most beside those taken before it, one
 /// after the other: O(h q) each. Columns of which less than a millionth is new are left out.
 /// (Chen, Billings, Luo 1989, with modified inner products instead of deflated columns.)
 /// Columns that are not finite are left out; of such a target none is taken and NaN is left.
-/// @throws ArgumentError when columns and target differ in rows, or a first one does not exist.
+/// @throws ArgumentError when columns and target differ in rows, or a named one does not exist.
 ForwardOrder forward_order(const Eigen::Ref<const Matrix>& columns, const Vector& target,
                            const ForwardLimits& limits, const RunContext& context = {});
 

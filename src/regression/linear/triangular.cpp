@@ -50,27 +50,6 @@ void reflect_column(Matrix& columns, Vector& target, Index j, Index height) {
   columns(j, j) = image;
 }
 
-// |R^-1|_1 from below: climbs along the gradient of |R^-1 x|_1 over unit vectors.
-double inverse_norm_estimate(const Matrix& triangle) {
-  // Higham (1988): the estimate is mostly exact after two.
-  constexpr int kMaxSteps = 5;
-  const auto upper = triangle.triangularView<Eigen::Upper>();
-  Vector x = Vector::Constant(triangle.cols(), 1.0 / static_cast<double>(triangle.cols()));
-  double estimate = 0.0;
-  for (int step = 0; step < kMaxSteps; ++step) {
-    const Vector y = upper.solve(x);
-    estimate = std::max(estimate, y.lpNorm<1>());
-    const Vector signs = y.unaryExpr([](double v) { return v < 0.0 ? -1.0 : 1.0; });
-    const Vector z = upper.transpose().solve(signs);
-    Index largest = 0;
-    const double slope = z.cwiseAbs().maxCoeff(&largest);
-    if (!(slope > z.dot(x))) break;
-    x.setZero();
-    x[largest] = 1.0;
-  }
-  return estimate;
-}
-
 void check_heights(const TermSet& heights, Index rows, Index columns) {
   bool rise = static_cast<Index>(heights.size()) == columns;
   Index last = -1;
@@ -151,14 +130,36 @@ TermSet remove_dependent_columns(TriangularProblem& problem, double tolerance) {
   return removed;
 }
 
-double condition_estimate(const Matrix& triangle) {
-  check_argument(triangle.rows() == triangle.cols(), "condition_estimate",
+double inverse_norm_estimate(const Matrix& triangle) {
+  check_argument(triangle.rows() == triangle.cols(), "inverse_norm_estimate",
                  "the triangle is not square");
-  if (triangle.size() == 0) return 1.0;
+  if (triangle.size() == 0) return 0.0;
   if ((triangle.diagonal().array() == 0.0).any())
     return std::numeric_limits<double>::infinity();
-  const double norm = triangle.cwiseAbs().colwise().sum().maxCoeff();
-  return norm * inverse_norm_estimate(triangle);
+  // Higham (1988): the estimate is mostly exact after two.
+  constexpr int kMaxSteps = 5;
+  const auto upper = triangle.triangularView<Eigen::Upper>();
+  Vector x = Vector::Constant(triangle.cols(), 1.0 / static_cast<double>(triangle.cols()));
+  double estimate = 0.0;
+  for (int step = 0; step < kMaxSteps; ++step) {
+    const Vector y = upper.solve(x);
+    estimate = std::max(estimate, y.lpNorm<1>());
+    const Vector signs = y.unaryExpr([](double v) { return v < 0.0 ? -1.0 : 1.0; });
+    const Vector z = upper.transpose().solve(signs);
+    Index largest = 0;
+    const double slope = z.cwiseAbs().maxCoeff(&largest);
+    if (!(slope > z.dot(x))) break;
+    x.setZero();
+    x[largest] = 1.0;
+  }
+  return estimate;
+}
+
+double condition_estimate(const Matrix& triangle) {
+  const double inverse = inverse_norm_estimate(triangle);
+  if (triangle.size() == 0) return 1.0;
+  if (std::isinf(inverse)) return inverse;
+  return triangle.cwiseAbs().colwise().sum().maxCoeff() * inverse;
 }
 
 }  // namespace lacuna

@@ -37,8 +37,11 @@ TermSet remove_dependent_columns(TriangularProblem& problem, double tolerance);
 /// Whether some |R_ii| is at most tolerance * max |R_ii|.
 bool is_rank_deficient(const Matrix& triangle, double tolerance);
 
-/// Estimate of |R|_1 |R^-1|_1 (Hager 1984, as in Higham 2002, algorithm 15.1); infinite when a
-/// diagonal entry is zero. O(k^2).
+/// |R^-1|_1 from below (Hager 1984, as in Higham 2002, algorithm 15.1): climbs along the gradient
+/// of |R^-1 x|_1 over unit vectors, O(k^2). Infinite when a diagonal entry is zero.
+double inverse_norm_estimate(const Matrix& triangle);
+
+/// Estimate of |R|_1 |R^-1|_1, likewise.
 double condition_estimate(const Matrix& triangle);
 
 }  // namespace lacuna

@@ -8,7 +8,8 @@
 namespace lacuna {
 
 /// One state of a backward elimination: the terms still there and the regressor's fit in them.
-/// A value; taking a term out gives a new one at O(L^2) besides the fit itself.
+/// A value; taking a term out gives a new one at O(L^2) besides the fit itself, and at O(L^3)
+/// where terms nearly depend on one another.
 class Elimination {
  public:
   /// Fits all active terms. The regressor, the system and the context must outlive it.
@@ -42,6 +43,7 @@ class Elimination {
   const Regressor* regressor_;
   const RunContext* context_;
   Subproblem problem_;
+  Vector inverse_diagonal_;  ///< of (R'R)^-1, whose columns have unit norm
   Vector coefficients_;
   double residual_norm_ = 0.0;
 };

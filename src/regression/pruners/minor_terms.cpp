@@ -53,28 +53,56 @@ struct Leading {
   double full = 0.0;   ///< |residual| of all terms
 };
 
+/// What all terms of a wide problem leave; of the whole library it stands in the triangle.
+double full_residual(const LeastSquaresSystem& system, Index target, const TermSet& active) {
+  constexpr double kDetermined = 1e-8;  // a fact of a Gram matrix, which resolves no more
+  const Factor& factor = system.factor();
+  const Index terms = factor.terms();
+  const bool is_whole =
+      static_cast<Index>(active.size()) == terms &&
+      factor.triangle.diagonal().head(terms).cwiseAbs().minCoeff() > kDetermined;
+  return is_whole ? factor.triangle.col(terms + target).segment(terms, target + 1).norm()
+                  : system.subproblem(target, active).residual_norm();
+}
+
+/// The terms that orthogonal least squares takes first: from the Gram matrix, where there is one.
+/// @param allowed |residual|^2 that may be left beside that of all terms.
+Leading taken_first(const LeastSquaresSystem& system, Index target, const TermSet& active,
+                    double full, double allowed, Index fewest, const RunContext& context) {
+  const Factor& factor = system.factor();
+  ForwardLimits limits{.first = {}, .fewest = fewest, .enough = allowed, .only = {}};
+  Leading leading{{}, 0.0, std::hypot(full, std::sqrt(allowed)), full};
+  if (factor.gram.size() > 0) {
+    limits.enough += full * full;
+    limits.only = active;
+    ForwardOrder order = forward_order_in_gram(factor.gram, factor.terms(),
+                                               factor.terms() + target, limits, context);
+    leading.left = std::sqrt(order.left);
+    leading.terms = std::move(order.columns);
+  } else {
+    const Subproblem problem = system.subproblem(target, active);
+    const ForwardOrder order =
+        forward_order(problem.triangle(), problem.projected_target(), limits, context);
+    leading.left = std::hypot(full, std::sqrt(order.left));
+    for (const Index j : order.columns)
+      leading.terms.push_back(active[static_cast<std::size_t>(j)]);
+  }
+  std::sort(leading.terms.begin(), leading.terms.end());
+  return leading;
+}
+
 /// All terms of a problem; of a wide one those that orthogonal least squares takes first: so
 /// many that the others are not worth Schwarz' penalty. An elimination from L terms costs L^4.
 Leading leading_terms(const LeastSquaresSystem& system, Index target, const TermSet& active,
                       double error, const RunContext& context) {
-  // Facts of cost: an elimination from L terms costs L^4.
-  constexpr Index kWide = 256, kFewest = 128;
-  const Subproblem problem = system.subproblem(target, active);
-  const double full = problem.residual_norm();
-  if (problem.size() <= kWide) return {active, full, full, full};
+  constexpr Index kFewest = 128;  // a fact of cost: an elimination from L terms costs L^4
+  const auto size = static_cast<Index>(active.size());
+  if (size <= kWideTerms) return {active};
+  const double full = full_residual(system, target, active);
   const double rows = static_cast<double>(system.rows());
-  const double penalty =
-      static_cast<double>(problem.size() - kFewest) * parameter_penalty(rows) / rows;
-  const double allowed = full * full * penalty + rows * error * error;
-  ForwardOrder order =
-      forward_order(problem.triangle(), problem.projected_target(),
-                    {.first = {}, .fewest = kFewest, .enough = allowed}, context);
-  std::sort(order.columns.begin(), order.columns.end());
-  Leading leading{
-      {}, std::hypot(full, std::sqrt(order.left)), std::hypot(full, std::sqrt(allowed)), full};
-  for (const Index j : order.columns)
-    leading.terms.push_back(active[static_cast<std::size_t>(j)]);
-  return leading;
+  const double penalty = static_cast<double>(size - kFewest) * parameter_penalty(rows) / rows;
+  return taken_first(system, target, active, full, full * full * penalty + rows * error * error,
+                     kFewest, context);
 }
 
 /// The terms that are not among the leading ones.

@@ -93,7 +93,6 @@ void check_in_memory(const RecordStream& records, const std::string& who) {
 LeastSquaresSystem Formulation::assemble(const RecordStream& records,
                                          const TermLibrary& library,
                                          const RunContext& context) const {
-  context.check_stop();
   const bool is_map = evolution() == Evolution::Map;
   if (is_map) check_in_memory(records, "a map");
   const Dataset& data = records.in_memory() ? *records.in_memory() : records.excerpt();
@@ -107,6 +106,7 @@ LeastSquaresSystem Formulation::assemble(const RecordStream& records,
   });
   check_count(data, data.samples(), "samples",
               library.size());  // before L x L numbers are made
+  context.check_stop();
   LeastSquaresSystem system =
       in_pieces ? do_assemble_long(records, library, context)
                 : do_assemble(is_map ? data : records.excerpt(), library, context);

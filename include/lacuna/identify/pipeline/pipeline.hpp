@@ -56,8 +56,12 @@ struct Pipeline {
   bool energy_preserving = false;  ///< see energy_preserving(); terms do not enter
 };
 
-/// Names in IdentificationResult::stages: regression and elimination, and the refiner.
+/// Names in IdentificationResult::stages: regression and elimination, and the refiner; where time
+/// is up before the equations are there, what of their choice was left out.
 inline constexpr const char* kEquationsStage = "equations";
+inline constexpr const char* kLibraryStage = "terms of the highest degrees";
+inline constexpr const char* kFilterStage = "filter";
+inline constexpr const char* kEliminationStage = "elimination";
 inline constexpr const char* kTrajectoriesStage = "trajectories";
 
 /// Is given a whole result before a better one is sought.
@@ -70,7 +74,10 @@ using FirstAnswer = std::function<void(const IdentificationResult&)>;
 /// satisfy the constraints; those of absent terms are 0. Of long records all samples determine
 /// the terms, an excerpt the rest.
 /// In a team only the leader's result is refined. A deadline ends the refinement: the model is
-/// that of the regression then, and `stages` has that.
+/// that of the regression then, and `stages` has that. Where it comes before, a large library
+/// loses its terms of the highest degrees, candidates are not filtered, and equations are chosen
+/// from the terms that explain most; `stages` and the warnings have these, too. A team chooses
+/// its equations without hurry.
 /// @param records a Dataset, or records that are read in pieces.
 /// @param first is given the result of the regression before it is refined; may be empty.
 /// @throws DataError, ConfigError as the stages do; Cancelled on a stop request.

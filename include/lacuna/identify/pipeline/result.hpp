@@ -59,7 +59,7 @@ struct IdentificationResult {
   Vector noise;                       ///< estimated measurement noise per state, state units;
                                       ///< empty for a map, whose samples do not show it
   std::vector<EquationFit> fit;       ///< one per state
-  std::vector<TrailEntry> trail;      ///< every candidate term of every equation
+  std::vector<TrailEntry> trail;      ///< every candidate term that an equation had
   std::vector<PathStep> path;         ///< models of each equation, where the refiner made them
   std::vector<std::string> warnings;  ///< what a user should know: an empty equation, ...
   /// What the library alone gives, where forms beside it were taken in.

@@ -13,6 +13,9 @@ enum class Folding {
   Deflated,    ///< Gram of the terms and of what a fit to some rows leaves of the targets
 };
 
+/// Of more terms what is sought term by term is sought in the Gram matrix: a fact of cost.
+inline constexpr Index kWideTerms = 256;
+
 /// All that is kept of the rows: the triangular factor of [Theta Y] with columns of Theta
 /// scaled to unit norm.
 ///
@@ -26,6 +29,7 @@ struct Factor {
   Vector target_norms;  ///< |y_k|, m
   Index rows = 0;       ///< n
   Folding folding = Folding::Gram;  ///< how it was made
+  Matrix gram = {};  ///< [Theta Y]'[Theta Y] of more than kWideTerms terms, where it made R
 
   Index terms() const noexcept { return column_norms.size(); }  ///< L
 };

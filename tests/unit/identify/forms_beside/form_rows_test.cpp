@@ -77,6 +77,17 @@ TEST(FormRows, NoiseOfTheStateIsWhiteNoiseOfItsTarget) {
   EXPECT_NEAR(rms, sigma, 0.15 * sigma);
 }
 
+TEST(FormRows, AColumnIsTheSameAloneAndBesideAnyOthers) {
+  const FormRows rows(circle(2001, 0.01), Vector::Constant(2, 0.01));
+  std::vector<Expression> forms;
+  for (int k = 0; k < 19; ++k)
+    forms.push_back(parse_expression("sin(x + " + std::to_string(k) + "*y)"));
+  const Matrix together = rows.columns(forms);
+  ASSERT_FALSE(forms.empty());
+  for (std::size_t k = 0; k < forms.size(); ++k)
+    EXPECT_EQ(rows.columns({forms[k]}).col(0), together.col(static_cast<Index>(k))) << k;
+}
+
 TEST(FormRows, GiveTheValuesAtTheSamples) {
   const FormRows rows(circle(101, 0.0), Vector::Zero(2));
   const Matrix values = rows.values({parse_expression("x^2+y^2")});

@@ -3,6 +3,8 @@
 
 #include <gmock/gmock.h>
 
+#include <chrono>
+
 #include "identify/journey/centred_library.hpp"
 #include "lacuna/bases/monomials.hpp"
 #include "lacuna/identify/pipeline/presets.hpp"
@@ -67,6 +69,18 @@ TEST_F(LowerTerms, APowerThatStandsInForThemGoes) {
   EXPECT_THAT(result_->trail, Contains(::testing::AllOf(
                                   ::testing::Field(&TrailEntry::term, names_[3]),
                                   ::testing::Field(&TrailEntry::stage, "lower terms"))));
+}
+
+TEST_F(LowerTerms, PastTheDeadlineAllStay) {
+  record("dx/dt = 0.7*x - 0.5*x*y\ndy/dt = -0.6*y + 0.4*x*y\n");
+  IdentificationResult odd = found_with({2, 4});
+  std::vector<Equation> equations = odd.model.equations();
+  equations[0].push_back({Term::parse(names_[3], {{"x", "y"}, {}}), 1e-3});
+  odd.model = odd.model.with_equations(equations);
+  RunContext late;
+  late.deadline = std::chrono::steady_clock::now();
+  const IdentificationResult found = with_lower_terms(plain_, centred_, data_, odd, late);
+  EXPECT_EQ(found.model.equations()[0].size(), odd.model.equations()[0].size());
 }
 
 TEST_F(LowerTerms, WhatTheRecordAsksForStays) {

@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <cmath>
 
 #include "core/base/random.hpp"
@@ -70,6 +71,17 @@ TEST(PlainTerms, AProductThatItDistinguishesStays) {
   const IdentificationResult found = plain(data, {"u", "w", "w*u"});
   EXPECT_THAT(terms_of(found.model), UnorderedElementsAre("u", "w", "w*u"));
   EXPECT_NEAR(found.model.coefficient(0, "w*u"), -2.0, 0.1);
+}
+
+TEST(PlainTerms, PastTheDeadlineAllStay) {
+  const Dataset data = record_of(2.0, 0.0, 0.0, 1000, 1);
+  Pipeline own = algorithm1();
+  own.equations = {{"w", {"u", "w*u"}}};
+  RunContext late;
+  late.deadline = std::chrono::steady_clock::now();
+  const IdentificationResult found =
+      with_plain_terms(algorithm1(), data, identify(data, own), late);
+  EXPECT_THAT(terms_of(found.model), UnorderedElementsAre("u", "w*u"));
 }
 
 TEST(PlainTerms, WhatWentSaysWhy) {

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <string>
 
 #include "core/base/random.hpp"
@@ -18,6 +19,13 @@ namespace lacuna::testing {
 inline Dataset rossler_record(Index samples, double step = 0.05) {
   const TestSystem& rossler = test_system("rossler");
   return record_of(rossler.model, Dopri87{}, rossler.start, step, samples);
+}
+
+/// A run whose time is up before it begins.
+inline RunContext past_the_deadline() {
+  RunContext context;
+  context.deadline = std::chrono::steady_clock::now();
+  return context;
 }
 
 /// The record with derivatives left out, as a measurement gives it.

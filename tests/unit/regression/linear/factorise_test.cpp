@@ -48,6 +48,17 @@ TEST(Factorise, AutomaticKeepsTheGramForNoisyWellConditionedRows) {
   EXPECT_EQ(factor.folding, Folding::Gram);
 }
 
+TEST(Factorise, KeepsTheGramOfWideRowsThatWereFoldedByIt) {
+  const Matrix theta = Matrix::Random(600, kWideTerms + 1), y = Matrix::Random(600, 1);
+  const Factor factor = factor_of(theta, y);
+  Matrix all(600, theta.cols() + 1);
+  all << theta, y;
+  ASSERT_EQ(factor.gram.rows(), all.cols());
+  EXPECT_LT((factor.gram - all.transpose() * all).cwiseAbs().maxCoeff(), 1e-11);
+  EXPECT_EQ(factor_of(theta, y, Folding::Orthogonal).gram.size(), 0);
+  EXPECT_EQ(factor_of(theta.leftCols(kWideTerms), y).gram.size(), 0);
+}
+
 TEST(Factorise, AutomaticSwitchesForDependentColumns) {
   Matrix theta = Matrix::Random(500, 4);
   theta.col(2) = theta.col(1);

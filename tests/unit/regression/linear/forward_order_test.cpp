@@ -79,6 +79,21 @@ TEST(ForwardOrder, TheGramGivesTheSameOrder) {
   }
 }
 
+TEST(ForwardOrder, TakesOnlyThoseThatItMay) {
+  const Matrix a = random_numbers(60, 9, 11);
+  const Vector y = 3.0 * a.col(2) + a.col(5) - a.col(8) + 0.01 * random_numbers(60, 1, 12);
+  const ForwardLimits limits{.first = {}, .fewest = 2, .enough = 1e9, .only = {0, 5, 8}};
+  Matrix all(60, 10);
+  all << a, y;
+  for (const ForwardOrder& order :
+       {forward_order(a, y, limits),
+        forward_order_in_gram(all.transpose() * all, 9, 9, limits)}) {
+    std::vector<Index> taken = order.columns;
+    std::sort(taken.begin(), taken.end());
+    EXPECT_EQ(taken, (std::vector<Index>{5, 8}));
+  }
+}
+
 TEST(ForwardOrder, EndsOnRequest) {
   std::stop_source source;
   source.request_stop();

@@ -99,6 +99,18 @@ TEST(ConditionEstimate, IsWithinAFactorOfTheTruth) {
   }
 }
 
+TEST(InverseNormEstimate, IsFromBelowAndNear) {
+  for (int trial = 0; trial < 50; ++trial) {
+    Matrix r = Matrix::Random(12, 12).triangularView<Eigen::Upper>();
+    r.diagonal().array() += 0.3;
+    const double inverse = r.inverse().cwiseAbs().colwise().sum().maxCoeff();
+    EXPECT_LE(inverse_norm_estimate(r), inverse * (1.0 + 1e-9));
+    EXPECT_GE(inverse_norm_estimate(r), inverse / 5.0);
+  }
+  EXPECT_EQ(inverse_norm_estimate(Matrix(0, 0)), 0.0);
+  EXPECT_TRUE(std::isinf(inverse_norm_estimate(Matrix::Zero(2, 2))));
+}
+
 TEST(ConditionEstimate, HandlesTheExtremes) {
   EXPECT_EQ(condition_estimate(Matrix(0, 0)), 1.0);
   EXPECT_DOUBLE_EQ(condition_estimate(Matrix::Identity(4, 4)), 1.0);

@@ -139,14 +139,14 @@ TEST(MinorTerms, PaperTolerancesBoundTheResidualPerRow) {
 }
 
 /// 400 rows of 300 random columns, of which five make the target.
-LeastSquaresSystem wide_system(double noise) {
+LeastSquaresSystem wide_system(double noise, Folding folding = Folding::Automatic) {
   Random random(4);
   const Matrix theta = Matrix::NullaryExpr(400, 300, [&] { return random.normal(); });
   Matrix y = theta(Eigen::all, {7, 60, 150, 151, 299}) * Vector::Constant(5, 0.5);
   for (double& value : y.reshaped()) value += noise * random.normal();
   std::vector<std::string> names;
   for (int j = 0; j < 300; ++j) names.push_back("t" + std::to_string(j));
-  return LeastSquaresSystem(make_row_source(theta, y), names, {"y"});
+  return LeastSquaresSystem(make_row_source(theta, y), names, {"y"}, {}, folding);
 }
 
 TEST(MinorTerms, WideProblemsBeginWithTheTermsThatExplainMost) {
@@ -163,6 +163,26 @@ TEST(MinorTerms, WideProblemsBeginWithTheTermsThatExplainMost) {
   for (std::size_t i = 0; i < result.removed.size(); ++i) {
     EXPECT_EQ(result.removed[i].step, static_cast<int>(i) + 1);
     EXPECT_LE(result.removed[i].value, result.removed[i].threshold);
+  }
+}
+
+TEST(MinorTerms, WideProblemsGiveTheSameFromTheGramAndFromTheTriangle) {
+  const LeastSquaresSystem gram = wide_system(0.05),
+                           triangle = wide_system(0.05, Folding::Orthogonal);
+  ASSERT_GT(gram.factor().gram.size(), 0);
+  TermSet some = gram.all_terms();
+  std::erase(some, Index{100});
+  for (const TermSet& active : {gram.all_terms(), some}) {
+    const PruneResult one = MinorTerms().prune(gram, 0, active, Ols()),
+                      other = MinorTerms().prune(triangle, 0, active, Ols());
+    EXPECT_EQ(one.kept, other.kept);
+    ASSERT_EQ(one.removed.size(), other.removed.size());
+    for (std::size_t i = 0; i < one.removed.size(); ++i) {
+      EXPECT_EQ(one.removed[i].term, other.removed[i].term);
+      EXPECT_NEAR(one.removed[i].value, other.removed[i].value, 1e-9 * other.removed[i].value);
+      EXPECT_NEAR(one.removed[i].threshold, other.removed[i].threshold,
+                  1e-9 * other.removed[i].threshold);
+    }
   }
 }
 
