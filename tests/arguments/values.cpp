@@ -5,6 +5,7 @@ namespace lacuna::arguments {
 
 All<Interpolation> Choices<Interpolation>::all() {
   return {{"cubic", Interpolation::Cubic},
+          {"quintic", Interpolation::Quintic},
           {"held", Interpolation::Held},
           {"linear", Interpolation::Linear}};
 }

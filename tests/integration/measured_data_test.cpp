@@ -89,8 +89,8 @@ TEST(MeasuredData, SilverboxIsSimulatedToHalfAMillivolt) {
       embed(part(all, 40650, 65062), {{"y", 2}}, FiniteDifferences{{.order = 10}});
   const OdeModel model = identify(training, algorithm1()).model;
   EXPECT_LE(model.equations()[1].size(), 7u) << to_text(model);
-  EXPECT_LT(simulation_error(model, part(all, 105712, 21688)), 0.47e-3) << to_text(model);
-  EXPECT_LT(simulation_error(model, part(all, 100, 40475)), 0.55e-3) << to_text(model);
+  EXPECT_LT(simulation_error(model, part(all, 105712, 21688)), 0.40e-3) << to_text(model);
+  EXPECT_LT(simulation_error(model, part(all, 100, 40475)), 0.51e-3) << to_text(model);
 }
 
 /// A record of u and y as text.
@@ -138,8 +138,8 @@ TEST(MeasuredData, SilverboxLacksCubicStiffnessAndNothingElseAtAnyLength) {
       EXPECT_NE(json["verdict"], "explained");
     }
     const OdeModel model = read_model(found);
-    EXPECT_LE(simulation_error(model, part(all, 105712, 21688)), 0.45e-3) << to_text(model);
-    EXPECT_LE(simulation_error(model, part(all, 100, 40475)), 0.52e-3) << to_text(model);
+    EXPECT_LE(simulation_error(model, part(all, 105712, 21688)), 0.39e-3) << to_text(model);
+    EXPECT_LE(simulation_error(model, part(all, 100, 40475)), 0.49e-3) << to_text(model);
   }
   const auto [least, most] = std::minmax_element(stiffness.begin(), stiffness.end());
   EXPECT_GT(*most / *least, 0.97) << "negative: the least is the largest stiffness";

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Measured records end to end: the positioning system EMPS and the Silverbox oscillator, read
-// from the folder LACUNA_DATA. Usage: study_measured [OUTPUT_FOLDER]
+// Measured records end to end: the positioning system EMPS, the Silverbox oscillator and the
+// coupled electric drives, read from the folder LACUNA_DATA. Usage: study_measured [OUTPUT_FOLDER]
 // [--cells FOLDER]
 #include <chrono>
 #include <cmath>
@@ -8,6 +8,7 @@
 
 #include "core/base/text.hpp"
 #include "diagnosed.hpp"
+#include "drives.hpp"
 #include "lacuna/core/base/error.hpp"
 #include "lacuna/data/derivatives/finite_differences.hpp"
 #include "lacuna/data/formats/read.hpp"
@@ -95,6 +96,7 @@ int run(const StudyArguments& arguments) {
   cells.add("Silverbox", [&] { return oscillator(folder); });
   cells.add("EMPS diagnosed", [&] { return diagnosed_positioning(folder); });
   cells.add("Silverbox diagnosed", [&] { return diagnosed_oscillator(folder); });
+  cells.add("drives compared", [&] { return compared_drives(folder); });
   const auto finished = run_cells(arguments.store(folder), cells);
   if (!finished) return 0;
   write_page(arguments.folder_at(0), "measured",

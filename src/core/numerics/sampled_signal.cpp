@@ -41,7 +41,9 @@ SampledSignal::SampledSignal(Vector time, const Eigen::Ref<const Vector>& values
 }
 
 double SampledSignal::third_difference(Index interval) const {
-  return points_ == 4 ? differences_(3, first_of(interval)) : 0.0;
+  constexpr Index kPoints = 4;
+  if (points_ < kPoints) return 0.0;
+  return differences_(kPoints - 1, std::clamp<Index>(interval - 1, 0, time_.size() - kPoints));
 }
 
 SampledSignal::HeldSpan SampledSignal::held_span(double from, double to) {

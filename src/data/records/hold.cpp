@@ -35,7 +35,7 @@ Interpolation interpolation_of(const std::optional<Hold>& hold) {
     case Hold::Switching:
       return Interpolation::Linear;
     default:
-      return Interpolation::Cubic;
+      return Interpolation::Quintic;
   }
 }
 

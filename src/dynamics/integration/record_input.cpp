@@ -41,7 +41,7 @@ RecordInput::RecordInput(const Vector& time, const Matrix& inputs,
   for (Index j = 0; j < inputs.cols(); ++j) {
     const Interpolation interpolation = interpolations[static_cast<std::size_t>(j)];
     signals_.emplace_back(time, inputs.col(j), interpolation);
-    smooth_ = smooth_ && interpolation == Interpolation::Cubic;
+    smooth_ = smooth_ && is_smooth(interpolation);
   }
 }
 

@@ -35,7 +35,7 @@ class Slave {
     for (std::size_t j = 0; j < model.inputs().size(); ++j) {
       const Interpolation between = interpolation_of(model.inputs()[j].hold);
       const auto input = static_cast<Index>(j);
-      if (between != Interpolation::Cubic)
+      if (!is_smooth(between))
         rough_.push_back({m + input, {trajectory.time, trajectory.inputs.col(input), between}});
     }
     for (Index j = 0; j < coupling.cols(); ++j)

@@ -104,7 +104,7 @@ StepSlots::StepSlots(Matrix slots, Index state_count,
     if (column == time) continue;
     const Index variable =
         column < time ? column : delays[static_cast<std::size_t>(column - time - 1)].slot;
-    if (grid.signal(variable) != Interpolation::Cubic) continue;
+    if (!is_smooth(grid.signal(variable))) continue;
     const Vector values = nodes.col(column)(samples);
     const SampledSignal signal(nodes.col(time)(samples), values);
     for (Index i = 0; i < steps(); ++i)

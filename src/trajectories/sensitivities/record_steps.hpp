@@ -12,7 +12,7 @@
 namespace lacuna {
 
 /// Slots at begins, middles and ends of the steps of a record; what drives the model goes on
-/// between them as it is held, or as the line or the cubic through the nearest samples.
+/// between them as it is held, or as the line or the polynomial through the nearest samples.
 struct StepSlots {
   Index states = 0, time = 0;  ///< number of states, column of t
   StepGrid grid;

@@ -14,7 +14,13 @@ enum class Interpolation : Index {
   Held = 1,    ///< the last sample holds
   Linear = 2,  ///< straight lines
   Cubic = 4,   ///< the error falls as step^4
+  Quintic = 6,  ///< the error falls as step^6
 };
+
+/// Whether slopes are smooth as the signal's are, but for the error.
+constexpr bool is_smooth(Interpolation interpolation) {
+  return interpolation >= Interpolation::Cubic;
+}
 
 /// A curve over a span of time, in Legendre polynomials of x = 2 share - 1.
 struct SpanCurve {
@@ -64,7 +70,8 @@ class SampledSignal {
     return in_interval(interval_, t);
   }
 
-  /// Third derivative over 3! in an interval; 0 unless cubic.
+  /// Third derivative over 3! in an interval, of the cubic through the four samples about it; 0
+  /// of a signal that is held or goes on in straight lines.
   double third_difference(Index interval) const;
 
   /// Of a held signal over a span in which it may jump: the parabola of least squares, which

@@ -15,7 +15,7 @@ namespace lacuna {
 enum class Hold {
   Zero,       ///< the sample holds: converters, controllers, switches that act at samples
   Linear,     ///< straight lines
-  Smooth,     ///< the cubic through the nearest samples
+  Smooth,     ///< the polynomial of degree 5 through the six nearest samples
   Switching,  ///< it jumps from one sample's value to the next one's at an unknown instant
 };
 

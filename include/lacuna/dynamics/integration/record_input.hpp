@@ -9,7 +9,7 @@
 namespace lacuna {
 
 /// Recorded inputs as a signal for simulate(): each goes on between its samples as it is held,
-/// or as the line or the cubic through the nearest samples of it, on any increasing grid;
+/// or as the line or the polynomial through the nearest samples of it, on any increasing grid;
 /// before and after the record the first and the last sample hold. A value; not for use from
 /// several threads at once.
 class RecordInput {
@@ -17,11 +17,11 @@ class RecordInput {
   /// @param inputs n x p samples. @throws ArgumentError when shapes do not fit or there is no
   /// sample.
   RecordInput(const Vector& time, const Matrix& inputs,
-              Interpolation interpolation = Interpolation::Cubic);
+              Interpolation interpolation = Interpolation::Quintic);
 
   /// The inputs of a trajectory, all alike.
   explicit RecordInput(const Trajectory& trajectory,
-                       Interpolation interpolation = Interpolation::Cubic);
+                       Interpolation interpolation = Interpolation::Quintic);
 
   /// The inputs of a trajectory, each as Quantity::hold says.
   RecordInput(const Trajectory& trajectory, const std::vector<Quantity>& inputs);

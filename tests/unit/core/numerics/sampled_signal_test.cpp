@@ -53,7 +53,7 @@ TEST(SampledSignal, AHeldSignalChangesAtItsSamples) {
 
 TEST(SampledSignal, EndsHoldOutsideOfTheRecord) {
   for (const auto interpolation :
-       {Interpolation::Held, Interpolation::Linear, Interpolation::Cubic}) {
+       {Interpolation::Held, Interpolation::Linear, Interpolation::Cubic, Interpolation::Quintic}) {
     SampledSignal signal(stretched_grid(6, 2.0), Vector::LinSpaced(6, 1.0, 2.0), interpolation);
     EXPECT_NEAR(signal(9.0), 2.0, 1e-14);
     EXPECT_NEAR(signal(-1.0), 1.0, 1e-14) << "and time may go back";
@@ -65,6 +65,40 @@ TEST(SampledSignal, ThirdDifferenceIsTheCoefficientOfTheCube) {
   const Vector cube = 4.0 * time.array().cube() - time.array().square();
   EXPECT_NEAR(SampledSignal(time, cube).third_difference(5), 4.0, 1e-9);
   EXPECT_EQ(SampledSignal(time, cube, Interpolation::Linear).third_difference(5), 0.0);
+  SampledSignal quintic(time, cube, Interpolation::Quintic);
+  for (const Index interval : {0, 1, 5, 7})
+    EXPECT_NEAR(quintic.third_difference(interval), 4.0, 1e-9) << interval;
+}
+
+TEST(SampledSignal, AQuinticSignalIsExactForFifthPowers) {
+  const Vector time = stretched_grid(12, 3.0);
+  const auto power = [](double t) { return std::pow(t, 5) - 2.0 * t * t + 0.5; };
+  SampledSignal signal(time, time.unaryExpr(power), Interpolation::Quintic);
+  const Vector queries = Vector::LinSpaced(50, 0.0, time[11]);
+  const Vector found = queries.unaryExpr([&](double t) { return signal(t); });
+  EXPECT_LT(largest(found - queries.unaryExpr(power)), 1e-11);
+}
+
+TEST(SampledSignal, AQuinticSignalHasOrderSix) {
+  const auto error = [](Index n) {
+    const Vector time = Vector::LinSpaced(n, 0.0, 3.0);
+    SampledSignal signal(time, time.array().cos().matrix(), Interpolation::Quintic);
+    double worst = 0.0;
+    for (const double t : Vector::LinSpaced(997, 0.0, 3.0))
+      worst = std::max(worst, std::abs(signal(t) - std::cos(t)));
+    return worst;
+  };
+  EXPECT_NEAR(std::log2(error(21) / error(41)), 6.0, 0.4);
+}
+
+TEST(SampledSignal, WithFewSamplesAQuinticSignalUsesWhatThereIs) {
+  for (const Index n : {1, 2, 3, 4, 5}) {
+    const Vector time = Vector::LinSpaced(n, 0.0, 1.0);
+    const Vector line = 2.0 * time.array() + 1.0;
+    SampledSignal signal(time, line, Interpolation::Quintic);
+    EXPECT_NEAR(signal(0.3), n == 1 ? 3.0 : 1.6, 1e-12) << n;
+    EXPECT_NEAR(signal.third_difference(0), 0.0, 1e-12) << n;
+  }
 }
 
 TEST(IntegrateCubic, IsExactForCubics) {

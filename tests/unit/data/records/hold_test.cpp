@@ -17,7 +17,7 @@ TEST(Hold, SaysTheCurveBetweenSamples) {
   EXPECT_EQ(interpolation_of(Hold::Zero), Interpolation::Held);
   EXPECT_EQ(interpolation_of(Hold::Linear), Interpolation::Linear);
   EXPECT_EQ(interpolation_of(Hold::Switching), Interpolation::Linear);
-  EXPECT_EQ(interpolation_of(std::nullopt), Interpolation::Cubic);
+  EXPECT_EQ(interpolation_of(std::nullopt), Interpolation::Quintic);
 }
 
 TEST(Hold, ShowsWhereMostSamplesRepeat) {
