@@ -41,7 +41,7 @@ SampledSignal::SampledSignal(Vector time, const Eigen::Ref<const Vector>& values
 }
 
 double SampledSignal::third_difference(Index interval) const {
-  constexpr Index kPoints = 4;
+  constexpr Index kPoints = 4;  // a fact: of a cubic
   if (points_ < kPoints) return 0.0;
   return differences_(kPoints - 1, std::clamp<Index>(interval - 1, 0, time_.size() - kPoints));
 }

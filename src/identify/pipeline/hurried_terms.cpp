@@ -18,7 +18,7 @@ constexpr Index kLeading = 32;
 
 /// Degree of a product; 2 of anything else.
 int degree_of(const Term& term) {
-  constexpr int kOfOthers = 2;
+  constexpr int kOfOthers = 2;  // a fact of the order: they come with the squares
   const auto exponents = term.exponents();
   if (!exponents) return kOfOthers;
   return std::accumulate(exponents->begin(), exponents->end(), 0,

@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <functional>
 #include <memory>
+#include <utility>
 
 #include "lacuna/bases/monomials.hpp"
 #include "lacuna/identify/pipeline/presets.hpp"
@@ -18,17 +20,14 @@ using testing::expect_same_model;
 using testing::past_the_deadline;
 using testing::random_points;
 
-/// Least squares that notes how many fits there were, and of how many terms at most.
-class Counting final : public Regressor {
+/// Least squares that something looks at before each fit.
+class Watched final : public Regressor {
  public:
-  struct Counts {
-    int fits = 0;
-    Index most = 0;
-  };
+  using Watch = std::function<void(const Subproblem&, const RunContext&)>;
 
-  explicit Counting(std::shared_ptr<Counts> counts) : counts_(std::move(counts)) {}
+  explicit Watched(Watch watch) : watch_(std::move(watch)) {}
   const StageInfo& info() const override {
-    static constexpr StageInfo kInfo{"counting", "", ""};
+    static constexpr StageInfo kInfo{"watched", "", ""};
     return kInfo;
   }
   void visit_options(OptionVisitor&) const override {}
@@ -36,30 +35,16 @@ class Counting final : public Regressor {
  private:
   Regression do_fit(const LeastSquaresSystem& system, const Subproblem& problem, Effort effort,
                     const RunContext& context) const override {
-    ++counts_->fits;
-    counts_->most = std::max(counts_->most, problem.size());
+    watch_(problem, context);
     return Ols{}.fit(system, problem, effort, context);
   }
 
-  std::shared_ptr<Counts> counts_;
+  Watch watch_;
 };
 
-/// A regressor that is never ready before a deadline.
-class Endless final : public Regressor {
- public:
-  const StageInfo& info() const override {
-    static constexpr StageInfo kInfo{"endless", "", ""};
-    return kInfo;
-  }
-  void visit_options(OptionVisitor&) const override {}
-
- private:
-  Regression do_fit(const LeastSquaresSystem& system, const Subproblem& problem, Effort effort,
-                    const RunContext& context) const override {
-    if (context.deadline) throw OutOfTime();
-    return Ols{}.fit(system, problem, effort, context);
-  }
-};
+Stage<Regressor> watched(Watched::Watch watch) {
+  return Stage<Regressor>(std::make_shared<Watched>(std::move(watch)));
+}
 
 bool is_left_out(const IdentificationResult& result, const std::string& name) {
   return std::any_of(result.stages.begin(), result.stages.end(), [&](const StageDone& stage) {
@@ -81,22 +66,26 @@ Pipeline wide(Stage<Regressor> regressor) {
 }
 
 TEST(HurriedEquations, ComeFromTheTermsThatExplainMost) {
-  const auto counts = std::make_shared<Counting::Counts>();
+  Index most = 0;  // terms of a fit
+  const auto count = [&](const Subproblem& problem, const RunContext&) {
+    most = std::max(most, problem.size());
+  };
   const IdentificationResult result =
-      identify(lorenz_points(), wide(Stage<Regressor>(std::make_shared<Counting>(counts))),
-               past_the_deadline());
+      identify(lorenz_points(), wide(watched(count)), past_the_deadline());
   expect_same_model(result.model, test_system("lorenz").model, 1e-6);
-  EXPECT_LE(counts->most, 32);  // of 56 candidates
-  EXPECT_GT(counts->fits, 0);
+  EXPECT_LE(most, 32);  // of 56 candidates
+  EXPECT_GT(most, 0);
   EXPECT_EQ(result.trail.size(), 3U * 56U);
   EXPECT_TRUE(is_left_out(result, kFilterStage));
   EXPECT_TRUE(is_left_out(result, kEliminationStage));
 }
 
 TEST(HurriedEquations, ComeByACheaperRuleWhereTheirOwnTakesTooLong) {
-  const Stage<Regressor> endless(std::make_shared<Endless>());
+  const auto is_never_ready = [](const Subproblem&, const RunContext& context) {
+    if (context.deadline) throw OutOfTime();
+  };
   const IdentificationResult result =
-      identify(lorenz_points(), wide(endless), past_the_deadline());
+      identify(lorenz_points(), wide(watched(is_never_ready)), past_the_deadline());
   expect_same_model(result.model, test_system("lorenz").model, 1e-6);
   EXPECT_TRUE(is_left_out(result, kEliminationStage));
   ASSERT_FALSE(result.warnings.empty());
