@@ -128,38 +128,82 @@ struct HiddenFit {
   }
 };
 
+Refinement fit_of(const HiddenStateModel& model, Index of, const Dataset& data,
+                  const std::string& name, bool may_be_cut, const RunContext& context) {
+  return refine(parametrised(model_of(model, data, name), of), data, {.may_be_cut = may_be_cut},
+                context);
+}
+
+/// Whether no fit makes a model with so many terms better than one that is found.
+bool is_beaten(int complexity, const std::optional<HiddenFit>& by) {
+  return by && by->worth() <= std::pair(false, static_cast<double>(complexity));
+}
+
 /// The simplest model that does what the model of the derivative does; nothing where that has
-/// no solutions.
-std::optional<HiddenFit> fitted(DerivativeModel derivative, const Dataset& data,
-                                const std::string& name, const RunContext& context) {
-  const auto fit = [&](const HiddenStateModel& model) {
-    return refine(parametrised(model_of(model, data, name), derivative.of), data, {}, context);
-  };
+/// no solutions, or cannot be better than the best one so far. Past the deadline a first one is
+/// fitted in short windows as it was found.
+/// @throws OutOfTime past the deadline, where there is a best one.
+std::optional<HiddenFit> fitted(DerivativeModel derivative, const std::optional<HiddenFit>& best,
+                                const Dataset& data, const std::string& name,
+                                const RunContext& context) {
   const HiddenStateModel plain = without_vanishing(polynomials_of(derivative));
   const HiddenStateModel sparse = in_sparse_coordinates(plain);
-  Refinement as_found = fit(plain);
+  const bool is_simpler = complexity(sparse) < complexity(plain);
+  if (is_beaten(complexity(is_simpler ? sparse : plain), best)) return std::nullopt;
+  Refinement as_found = fit_of(plain, derivative.of, data, name, !best, context);
   if (as_found.status == RefineStatus::Diverged) return std::nullopt;
-  if (complexity(sparse) < complexity(plain))
-    if (Refinement simple = fit(sparse); is_as_good(simple, as_found))
-      return HiddenFit{std::move(derivative), std::move(simple), complexity(sparse)};
+  if (is_simpler && as_found.in_time) try {
+      Refinement simple = fit_of(sparse, derivative.of, data, name, false, context);
+      if (is_as_good(simple, as_found))
+        return HiddenFit{std::move(derivative), std::move(simple), complexity(sparse)};
+    } catch (const OutOfTime&) {
+      as_found.in_time = false;
+    }
   return HiddenFit{std::move(derivative), std::move(as_found), complexity(plain)};
 }
 
-/// The best one of the models that the derivatives of the measured states give.
-std::optional<HiddenFit> best_fit(const Dataset& data, const Pipeline& pipeline,
-                                  const Differentiator& differentiator, const std::string& name,
-                                  const RunContext& context) {
+/// What the derivatives of the measured states lead to.
+struct HiddenFits {
   std::optional<HiddenFit> best;
-  for (Index k = 0; k < data.state_count(); ++k) {
-    if (data.rate_state(k) || !data.is_measured(k)) continue;
-    const std::string& state = data.states[static_cast<std::size_t>(k)].name;
-    context.report("derivative of " + state, double(k) / double(data.state_count()));
-    std::optional<HiddenFit> found =
-        fitted({k, identify(embed(data, {{state, 2}}, differentiator), pipeline, context)},
-               data, name, context);
-    if (found && (!best || found->worth() < best->worth())) best = std::move(found);
+  bool in_time = true;  ///< or the deadline came before all states had had their turn
+};
+
+/// The best one of the models that the derivatives of the measured states give. Past the
+/// deadline the remaining states are left out, as soon as there is a model.
+HiddenFits fits_to(const Dataset& data, const Pipeline& pipeline,
+                   const Differentiator& differentiator, const std::string& name,
+                   const RunContext& context) {
+  HiddenFits fits;
+  for (Index k = 0; k < data.state_count(); ++k) try {
+      if (data.rate_state(k) || !data.is_measured(k)) continue;
+      const std::string& state = data.states[static_cast<std::size_t>(k)].name;
+      const RunContext& needed = fits.best ? context : context.unhurried();
+      needed.report("derivative of " + state, double(k) / double(data.state_count()));
+      DerivativeModel derivative{
+          k, identify(embed(data, {{state, 2}}, differentiator), pipeline, context)};
+      if (fits.best) context.check_stop();  // a model in a hurry is no better one
+      std::optional<HiddenFit> found =
+          fitted(std::move(derivative), fits.best, data, name, context);
+      if (found && (!fits.best || found->worth() < fits.best->worth()))
+        fits.best = std::move(found);
+    } catch (const OutOfTime&) {
+      return {std::move(fits.best), false};
+    }
+  return fits;
+}
+
+/// What there was no time for.
+void enter_hurry(const HiddenFits& fits, IdentificationResult& result) {
+  std::erase_if(result.stages, [](const StageDone& s) { return s.name == kTrajectoriesStage; });
+  if (fits.best->fit.in_time) {
+    result.stages.push_back({kTrajectoriesStage});
+  } else {
+    result.stages.push_back({kTrajectoriesStage, false, kTimeIsUp});
+    result.warnings.push_back(std::string("no plainer model was looked for: ") + kTimeIsUp);
   }
-  return best;
+  if (!fits.in_time)
+    result.warnings.push_back(
+        std::string("the rates of some measured states were not tried: ") + kTimeIsUp);
 }
 
 /// The records with the hidden state along them: what dx_k/dt leaves, x_k smoothed.
@@ -219,14 +263,14 @@ HiddenIdentification identify_hidden(const Dataset& data, const Pipeline& pipeli
       if (quantity.name == name)
         throw ConfigError("--hidden", "the name '" + name + "' is taken",
                           "rename that column with --map");
-  std::optional<HiddenFit> found = best_fit(data, pipeline, differentiator, name, context);
-  if (!found)
+  HiddenFits fits = fits_to(data, pipeline, differentiator, name, context);
+  if (!fits.best)
     throw DataError("records", "no measured state's rate gives a model that has solutions",
                     "measure more, or give candidate terms (--terms, --degree)");
-  const Index of = found->derivative.of;
+  const Index of = fits.best->derivative.of;
   const std::string rate = data.states[static_cast<std::size_t>(of)].name;
-  const Refinement& fit = found->fit;
-  IdentificationResult result = std::move(found->derivative.result);
+  const Refinement& fit = fits.best->fit;
+  IdentificationResult result = std::move(fits.best->derivative.result);
   const double noise = result.noise[of];
   result.model = fit.fitted();
   result.fit = fits_of(fit);
@@ -244,6 +288,7 @@ HiddenIdentification identify_hidden(const Dataset& data, const Pipeline& pipeli
       result.warnings.push_back(
           "d" + equation.equation + "/dt: trajectories of the model are off by " +
           format_number(*equation.misfit, 2) + " times the measurement noise");
+  enter_hurry(fits, result);
   Dataset along = with_hidden(data, result.model, of, noise);
   return {std::move(result), std::move(along), rate};
 }

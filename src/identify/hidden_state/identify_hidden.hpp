@@ -23,7 +23,8 @@ struct HiddenIdentification {
 /// the simplest of those that fit is taken. h = w - sum_j g_j phi_j(x) is then chosen so that
 /// the model is simplest (in_sparse_coordinates()), and its coefficients are fitted to the
 /// measured states by multiple shooting. What measurements cannot say is fixed so: h has the
-/// coefficient 1 in dx_k/dt. Where the simpler model fits worse, h = w is the answer.
+/// coefficient 1 in dx_k/dt. Where the simpler model fits worse, h = w is the answer. Past the
+/// deadline so is that of the first state, fitted in short windows; `stages` and warnings have it.
 /// @param differentiator for the derivatives of measured states. @param name of the hidden
 /// state.
 /// @throws ConfigError when the name is taken or the library is not polynomial; as identify().

@@ -81,8 +81,7 @@ Identification find_equations(RecordStream records, const IdentificationTask& ta
   if (task.measured == Measured::AllButOne) {
     HiddenIdentification found = identify_hidden(*records.in_memory(), pipeline,
                                                  *differentiator_of(*pipeline.formulation),
-                                                 kHiddenName, context.alone().unhurried());
-    found.result.stages = {{kEquationsStage}, {kTrajectoriesStage}};
+                                                 kHiddenName, context.alone());
     return {std::move(found.data), std::move(found.result)};
   }
   IdentificationResult result = identify(records, pipeline, context, task.first_answer);

@@ -120,7 +120,8 @@ class StopOnRequest final : public ceres::IterationCallback {
  public:
   explicit StopOnRequest(const RunContext& context) : context_(context) {}
   ceres::CallbackReturnType operator()(const ceres::IterationSummary&) override {
-    return context_.stop.stop_requested() ? ceres::SOLVER_ABORT : ceres::SOLVER_CONTINUE;
+    const bool ends = context_.stop.stop_requested() || context_.is_late();
+    return ends ? ceres::SOLVER_ABORT : ceres::SOLVER_CONTINUE;
   }
 
  private:

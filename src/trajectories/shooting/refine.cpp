@@ -18,6 +18,7 @@ namespace {
 Refinement basic_result(const ShootingProblem& problem, const RefinementRun& run) {
   return {.model = problem.model().with_values(run.fit.point.parameters),
           .iterations = run.iterations,
+          .in_time = run.in_time,
           .measured = problem.record().measured,
           .sigma = problem.sigma(),
           .windows = run.fit.plan,

@@ -33,6 +33,8 @@ struct RefineOptions {
 
   /// White noise of each column of the record (estimate_noise()), where it is known already.
   std::optional<Vector> noise = {};
+
+  bool may_be_cut = false;  ///< past the deadline: the fit in the windows that it has by then
 };
 
 /// How a refinement ended.
@@ -51,6 +53,7 @@ struct Refinement {
   RefineStatus status = RefineStatus::Converged;
   std::string message = {};  ///< one sentence when not converged, else empty
   int iterations = 0;        ///< of all plans together
+  bool in_time = true;       ///< whether no deadline came before the longest windows
 
   /// P; from the Fisher information where residuals are white, else from blocks of the record
   /// (residuals of a model that is not exact are correlated over time); infinite where the
@@ -97,7 +100,7 @@ struct Refinement {
 /// Same input, same result.
 /// @throws DataError as the record must have the model's inputs and at least one of its states,
 ///   and every other state must follow from an equation; ArgumentError for options of a wrong
-///   size; Cancelled.
+///   size; Cancelled; OutOfTime past the deadline, where the fit may not be cut.
 /// Errors are not finite where the record does not determine a number.
 Refinement refine(const ParametrisedModel& model, const Dataset& record,
                   const RefineOptions& options = {}, const RunContext& context = {});

@@ -273,6 +273,22 @@ void polish(const Task& task, RefinementRun& run) {
   }
 }
 
+/// Goes on from the fit in the first windows to the end.
+/// @param settled the last fit on the way that is whole. @throws OutOfTime past the deadline.
+RefinementRun finished(const Task& task, WindowLimits limits, RefinementRun& settled) {
+  RefinementRun run = settled;
+  if (!task.options.window_samples) {
+    if (!has_structure(task, run.fit))
+      while (lengthen(task, limits, run)) {
+        settled = run;
+        task.context.report("refining", 0.5);
+      }
+    if (has_structure(task, run.fit)) search(task, limits, run);
+  }
+  polish(task, run);
+  return run;
+}
+
 }  // namespace
 
 RefinementStart refinement_start(ShootingProblem& problem, const Dataset& data,
@@ -290,17 +306,21 @@ RefinementStart refinement_start(ShootingProblem& problem, const Dataset& data,
 
 RefinementRun run_refinement(ShootingProblem& problem, const RefinementStart& start,
                              const RefineOptions& options, const RunContext& context) {
-  context.report("refining", 0.0);
-  const Task task{problem, start, options, context};
-  WindowLimits limits = first_limits(task);
-  RefinementRun run = first_fit(task, limits);
+  const RunContext unhurried = context.unhurried();
+  const RunContext& needed = options.may_be_cut ? unhurried : context;
+  needed.report("refining", 0.0);
+  const Task first{problem, start, options, needed};
+  WindowLimits limits = first_limits(first);
+  RefinementRun run = first_fit(first, limits);
   if (!run.simulated) return run;
-  if (!options.window_samples) {
-    if (!has_structure(task, run.fit))
-      while (lengthen(task, limits, run)) context.report("refining", 0.5);
-    if (has_structure(task, run.fit)) search(task, limits, run);
+  try {
+    return finished(Task{problem, start, options, context}, limits, run);
+  } catch (const OutOfTime&) {
+    if (!options.may_be_cut) throw;
   }
-  polish(task, run);
+  run.in_time = false;
+  update_sigma(first, run.fit);
+  run.influence = fit_influence(problem, run.fit, kLags);
   return run;
 }
 

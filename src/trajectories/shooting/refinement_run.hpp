@@ -19,6 +19,7 @@ struct RefinementRun {
   ShootingFit fit;         ///< of the last windows
   FitInfluence influence;  ///< of that fit; empty where the model cannot be simulated
   int iterations = 0;      ///< of all fits on the way
+  bool in_time = true;     ///< whether no deadline came before the last polish
 };
 
 /// Noise and states to start from, as given or from the record.

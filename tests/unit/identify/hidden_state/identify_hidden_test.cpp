@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <set>
 #include <string>
@@ -10,6 +12,7 @@
 #include "core/base/random.hpp"
 #include "lacuna/bases/monomials.hpp"
 #include "lacuna/core/base/error.hpp"
+#include "lacuna/core/base/stages_done.hpp"
 #include "lacuna/data/derivatives/finite_differences.hpp"
 #include "lacuna/dynamics/integration/runge_kutta.hpp"
 #include "lacuna/dynamics/integration/simulate.hpp"
@@ -50,10 +53,10 @@ std::set<std::string> terms(const OdeModel& model, std::size_t equation) {
 
 using Names = std::set<std::string>;
 
-HiddenIdentification identified(const Dataset& data) {
+HiddenIdentification identified(const Dataset& data, const RunContext& context = {}) {
   Pipeline pipeline = algorithm1();
   pipeline.basis = Monomials{{.max_degree = 2}};
-  return identify_hidden(data, pipeline, FiniteDifferences{}, "h");
+  return identify_hidden(data, pipeline, FiniteDifferences{}, "h", context);
 }
 
 TEST(IdentifyHidden, FindsLorenzFromTwoChannels) {
@@ -109,6 +112,55 @@ TEST(IdentifyHidden, AMisfitIsThatOfTheTrajectoriesInUnitsOfTheNoise) {
   const double noise = 0.01 * std::sqrt((x.array() - x.mean()).square().mean());
   EXPECT_NEAR(*result.fit[0].misfit, result.noise[0] / noise, 0.3 * *result.fit[0].misfit);
   EXPECT_GT(*result.fit[0].misfit, 3.0);
+}
+
+Dataset lorenz_from_two_channels() {
+  return measured(test_system("lorenz").model, Vector{{-8.0, -7.0, 27.0}}, 0.02, {0, 2}, 1);
+}
+
+bool has_left_out(const IdentificationResult& result, const std::string& stage) {
+  return std::any_of(result.stages.begin(), result.stages.end(),
+                     [&](const StageDone& s) { return s.name == stage && !s.done; });
+}
+
+TEST(IdentifyHidden, PastTheDeadlineTheFirstStateGivesAWholeModel) {
+  RunContext late;
+  late.deadline = std::chrono::steady_clock::now();
+  const auto [result, data, rate] = identified(lorenz_from_two_channels(), late);
+  EXPECT_EQ(rate, "x");
+  EXPECT_EQ(terms(result.model, 0), (Names{"h"}));  // coordinates are not looked for
+  EXPECT_FALSE(terms(result.model, 1).empty());
+  EXPECT_FALSE(terms(result.model, 2).empty());
+  EXPECT_GT(result.noise.head(2).minCoeff(), 0.0);
+  EXPECT_TRUE(has_left_out(result, kTrajectoriesStage));
+}
+
+TEST(IdentifyHidden, ADeadlineBeforeTheSecondStateKeepsWhatTheFirstGave) {
+  RunContext context;
+  context.progress = [&context](const Progress& progress) {
+    if (progress.activity == "derivative of z")
+      context.deadline = std::chrono::steady_clock::now();
+  };
+  const auto [result, data, rate] = identified(lorenz_from_two_channels(), context);
+  EXPECT_EQ(terms(result.model, 0), (Names{"h", "x"}));
+  EXPECT_FALSE(has_left_out(result, kTrajectoriesStage));
+  EXPECT_NE(std::find(result.warnings.begin(), result.warnings.end(),
+                      "the rates of some measured states were not tried: the time limit came "
+                      "first"),
+            result.warnings.end());
+}
+
+TEST(IdentifyHidden, AStateWhoseModelCannotWinIsNotFitted) {
+  int refinements = 0;
+  RunContext context;
+  bool is_second = false;
+  context.progress = [&](const Progress& progress) {
+    is_second = is_second || progress.activity == "derivative of z";
+    if (is_second && progress.activity == "refining") ++refinements;
+  };
+  identified(lorenz_from_two_channels(), context);
+  EXPECT_TRUE(is_second);
+  EXPECT_EQ(refinements, 0);
 }
 
 TEST(IdentifyHidden, ANameThatIsTakenIsAnError) {

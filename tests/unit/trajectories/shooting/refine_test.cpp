@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <cmath>
 #include <limits>
 
@@ -45,6 +46,37 @@ TEST(Refine, KeepsWhatTheModelSaysBesideItsEquations) {
       refine(with_free_coefficients(model), noisy_record("lorenz", 500, 0.01)).fitted();
   ASSERT_TRUE(fitted.initial()[0].has_value());
   EXPECT_EQ(fitted.initial()[0]->value, 2.0);
+}
+
+TEST(Refine, PastTheDeadlineItIsTheFitInTheFirstWindows) {
+  const ParametrisedModel truth = with_free_coefficients(test_system("lorenz").model);
+  const Dataset record = noisy_record("lorenz", 1000, 0.02);
+  RunContext late;
+  late.deadline = std::chrono::steady_clock::now();
+  EXPECT_THROW(refine(truth, record, {}, late), OutOfTime);
+  const Refinement cut = refine(perturbed(truth, 0.05), record, {.may_be_cut = true}, late);
+  const Refinement whole = refine(perturbed(truth, 0.05), record, {.may_be_cut = true});
+  EXPECT_FALSE(cut.in_time);
+  EXPECT_TRUE(whole.in_time);
+  EXPECT_GT(cut.windows.size(), whole.windows.size());
+  EXPECT_LT(worst_score(cut, truth.values()), 4.0);
+  EXPECT_GT(cut.standard_errors.norm(), whole.standard_errors.norm());
+}
+
+TEST(Refine, ADeadlineBetweenWindowsLeavesTheLastOnes) {
+  const ParametrisedModel truth = with_free_coefficients(test_system("lorenz").model);
+  const Dataset record = noisy_record("lorenz", 1000, 0.02);
+  RunContext context;
+  context.progress = [&context](const Progress& progress) {
+    if (progress.fraction > 0.0) context.deadline = std::chrono::steady_clock::now();
+  };
+  RunContext late;
+  late.deadline = std::chrono::steady_clock::now();
+  const Refinement longer = refine(truth, record, {.may_be_cut = true}, context);
+  const Refinement first = refine(truth, record, {.may_be_cut = true}, late);
+  EXPECT_FALSE(longer.in_time);
+  EXPECT_LT(longer.windows.size(), first.windows.size());
+  EXPECT_LT(longer.standard_errors.norm(), first.standard_errors.norm());
 }
 
 TEST(Refine, TakesNoiseThatIsKnown) {
