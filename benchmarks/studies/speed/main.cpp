@@ -3,8 +3,8 @@
 // study_speed [OUTPUT_FOLDER] [PART_OF_A_NAME] [REPEATS] [DATA_FOLDER] [quick|normal|full|limit]
 //             (default build/studies/speed, all, 1, $LACUNA_DATA, all of them)
 // study_speed OUTPUT_FOLDER PART_OF_A_NAME REPEATS DATA_FOLDER '' PROGRAM_BEFORE PROGRAM_NOW
-// asks two programs `lacuna`, in turns, and writes the table two_programs. Names are parts
-// separated by semicolons.
+// asks two programs `lacuna`, in turns, and writes the table two_programs. Parts of names are
+// separated by semicolons; 'own case' stands for the simulated cases of study_hidden.
 #include <sys/resource.h>
 
 #include <algorithm>
@@ -106,12 +106,14 @@ std::vector<Way> ways_of(const std::string& wanted) {
   return ways;
 }
 
-/// Questions whose names have one of the wanted parts.
+/// Questions whose names have one of the wanted parts; without any, those of everyday.
 std::vector<QuestionMaker> wanted_questions(const std::string& data, const std::string& wanted) {
-  std::vector<QuestionMaker> questions;
-  for (QuestionMaker& maker : everyday_questions(data)) {
+  std::vector<QuestionMaker> all = everyday_questions(data), questions;
+  if (wanted.empty()) return all;
+  for (QuestionMaker& maker : own_cases()) all.push_back(std::move(maker));
+  for (QuestionMaker& maker : all) {
     std::istringstream parts(wanted);
-    bool is_wanted = wanted.empty();
+    bool is_wanted = false;
     for (std::string part; std::getline(parts, part, ';');)
       is_wanted = is_wanted || maker.name.find(part) != std::string::npos;
     if (is_wanted) questions.push_back(std::move(maker));

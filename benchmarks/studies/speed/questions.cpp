@@ -240,4 +240,11 @@ std::vector<QuestionMaker> everyday_questions(const fs::path& data) {
   return all;
 }
 
+std::vector<QuestionMaker> own_cases() {
+  std::vector<QuestionMaker> all;
+  for (const hidden::HiddenCase& hidden : hidden::all_cases())
+    all.push_back(diagnose_case("own case " + hidden.name, hidden));
+  return all;
+}
+
 }  // namespace lacuna::benchmarks

@@ -38,4 +38,7 @@ struct QuestionMaker {
 /// about those that are not there are left out.
 std::vector<QuestionMaker> everyday_questions(const std::filesystem::path& data);
 
+/// A diagnosis of each simulated case at 1 % noise: "own case beam-offset".
+std::vector<QuestionMaker> own_cases();
+
 }  // namespace lacuna::benchmarks
