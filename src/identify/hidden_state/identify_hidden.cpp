@@ -13,6 +13,7 @@
 #include "lacuna/core/base/error.hpp"
 #include "lacuna/records/binding/embedding.hpp"
 #include "trajectories/shooting/refine.hpp"
+#include "trajectories/windows/window_gap.hpp"
 
 namespace lacuna {
 namespace {
@@ -115,10 +116,13 @@ struct HiddenFit {
   DerivativeModel derivative;
   Refinement fit;
   int complexity = 0;
+  Index period = 0;  ///< samples that a model has to follow
 
-  /// What the better one of two has less of: what is no noise, then terms, or else residuals.
+  /// What the better one of two has less of: what is no noise in windows of a period, then terms,
+  /// or else residuals. In windows of a few samples any model follows the records.
   std::pair<bool, double> worth() const {
-    bool explained = true;
+    const auto windows = static_cast<Index>(fit.windows.size());
+    bool explained = fit.states.rows() >= period * windows;
     double misfit = 0.0;
     for (const ResidualStatistics& residual : fit.residuals) {
       explained = explained && is_explained(fit, residual);
@@ -127,6 +131,15 @@ struct HiddenFit {
     return {!explained, explained ? complexity : misfit};
   }
 };
+
+/// Samples of the shortest mean period of what was measured.
+Index samples_of_period(const Dataset& data) {
+  std::vector<Matrix> paths;
+  for (const Trajectory& record : data.trajectories) paths.push_back(record.states);
+  std::vector<bool> measured;
+  for (Index k = 0; k < data.state_count(); ++k) measured.push_back(data.is_measured(k));
+  return window_samples(paths, measured);
+}
 
 Refinement fit_of(const HiddenStateModel& model, Index of, const Dataset& data,
                   const std::string& name, bool may_be_cut, const RunContext& context) {
@@ -146,6 +159,7 @@ bool is_beaten(int complexity, const std::optional<HiddenFit>& by) {
 std::optional<HiddenFit> fitted(DerivativeModel derivative, const std::optional<HiddenFit>& best,
                                 const Dataset& data, const std::string& name,
                                 const RunContext& context) {
+  const Index period = samples_of_period(data);
   const HiddenStateModel plain = without_vanishing(polynomials_of(derivative));
   const HiddenStateModel sparse = in_sparse_coordinates(plain);
   const bool is_simpler = complexity(sparse) < complexity(plain);
@@ -155,11 +169,12 @@ std::optional<HiddenFit> fitted(DerivativeModel derivative, const std::optional<
   if (is_simpler && as_found.in_time) try {
       Refinement simple = fit_of(sparse, derivative.of, data, name, false, context);
       if (is_as_good(simple, as_found))
-        return HiddenFit{std::move(derivative), std::move(simple), complexity(sparse)};
+        return HiddenFit{std::move(derivative), std::move(simple), complexity(sparse),
+                         period};
     } catch (const OutOfTime&) {
       as_found.in_time = false;
     }
-  return HiddenFit{std::move(derivative), std::move(as_found), complexity(plain)};
+  return HiddenFit{std::move(derivative), std::move(as_found), complexity(plain), period};
 }
 
 /// What the derivatives of the measured states lead to.
