@@ -9,6 +9,7 @@
 #include <set>
 #include <string>
 
+#include "hidden/support/cases.hpp"
 #include "hidden/support/null_benches.hpp"
 #include "hidden/support/score.hpp"
 #include "hidden/support/sensor_benches.hpp"
@@ -88,6 +89,19 @@ TEST_P(IdentitySensor, SaysNothingOfTheDevice) {
     for (const NamedEffect& effect : found.effects)
       EXPECT_TRUE(of_sensors.contains(effect.name))
           << device.name << ": " << in_one_line(found);
+  }
+}
+
+TEST(IdentitySensors, ThatDriftAreNoisyAndContradictNothing) {
+  HiddenCase pendulum = case_named("pendulum-null");
+  pendulum.noise = NoiseKind::Drifting;
+  for (const unsigned seed : {1040U, 9103U}) {
+    const Records records = make_records(pendulum, 0.001, seed);
+    DiagnosisOptions options;
+    options.effects = default_registry().make_all<Effect>();
+    const Diagnosis found =
+        diagnose(pendulum.nominal, records.find, records.check, options, RunContext{});
+    EXPECT_EQ(found.verdict, Verdict::NoDiscrepancy) << in_one_line(found);
   }
 }
 

@@ -33,8 +33,8 @@ void describe_search(DecisionOptions& o, OptionVisitor& v) {
            0.0},
           o.start_fits);
   v.field({"noise_inflation", "",
-           "An identity is doubted where it makes the noise of a channel larger, by this "
-           "factor, than the noise between neighbouring samples.",
+           "Noise with a memory is tried, and identities are doubted, where the noise of a "
+           "channel is larger, by this factor, than that between neighbouring samples.",
            1.0},
           o.noise_inflation);
   v.field({"long_window", "mean periods",

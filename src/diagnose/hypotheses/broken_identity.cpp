@@ -9,23 +9,10 @@
 #include <utility>
 #include <vector>
 
+#include "diagnose/hypotheses/coloured_noise.hpp"
+
 namespace lacuna {
 namespace {
-
-/// Largest ratio of the noise of a channel, white and with a memory, to what samples show
-/// against their neighbours.
-double noise_inflation(const NoiseModel& noise, const Assimilation& exact) {
-  constexpr double kResolutions = 10.0;  // below so many of them noise is rounding
-  const Vector seen = exact.estimated_noise.cwiseMax(kResolutions * exact.least_noise);
-  double largest = 0.0;
-  for (std::size_t k = 0; k < noise.measurement.size(); ++k) {
-    if (!noise.measurement[k]) continue;
-    const double slow = noise.coloured[k] ? noise.coloured[k]->deviation : 0.0;
-    const double whole = std::hypot(*noise.measurement[k], slow);
-    largest = std::max(largest, whole / seen[static_cast<Index>(k)]);
-  }
-  return largest;
-}
 
 /// Whether an equation says something of measured states only; of a state that was not measured
 /// an identity is the definition.

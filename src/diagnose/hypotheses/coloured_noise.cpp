@@ -102,9 +102,25 @@ Baseline coloured_baseline(const Problem& problem, const Baseline& base,
 
 }  // namespace
 
+double noise_inflation(const NoiseModel& noise, const Assimilation& exact) {
+  constexpr double kResolutions = 10.0;  // below so many of them noise is rounding
+  const Vector seen = exact.estimated_noise.cwiseMax(kResolutions * exact.least_noise);
+  double largest = 0.0;
+  for (std::size_t k = 0; k < noise.measurement.size(); ++k) {
+    if (!noise.measurement[k]) continue;
+    const double slow = noise.coloured[k] ? noise.coloured[k]->deviation : 0.0;
+    const double whole = std::hypot(*noise.measurement[k], slow);
+    largest = std::max(largest, whole / seen[static_cast<Index>(k)]);
+  }
+  return largest;
+}
+
 Proposals ColouredNoiseHypothesis::do_propose(const Problem& problem,
                                               const CompositeModel& best) const {
-  if (best.named.empty() && !leaves_structure(best, problem.options.decision)) return {};
+  const DecisionOptions& decision = problem.options.decision;
+  const bool is_inflated = noise_inflation(best.explanation.fit.noise, best.base->given) >
+                           decision.noise_inflation;
+  if (best.named.empty() && !is_inflated && !leaves_structure(best, decision)) return {};
   problem.context.report("fitting noise with a memory", 0.0);
   const Assimilation& fitted = best.base->fitted;
   Assimilation start = fitted;

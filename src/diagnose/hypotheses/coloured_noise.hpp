@@ -25,6 +25,11 @@ class ColouredNoiseHypothesis final : public Configured<Hypothesis, NoOptions<kC
   Proposals do_propose(const Problem& problem, const CompositeModel& best) const override;
 };
 
+/// Largest ratio of the noise of a channel, white and with a memory, to what samples show
+/// against their neighbours.
+/// @param exact the nominal model as given on the records, which knows that.
+double noise_inflation(const NoiseModel& noise, const Assimilation& exact);
+
 /// The channels whose noise has a memory worth reporting (more than `least` of the white
 /// part), with its standard deviation and correlation time: "v 0.15 m/s over 4 s".
 std::string channels_with_memory(const NoiseModel& noise, const OdeModel& model, double least);

@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include "diagnose/criterion/shape_bounds.hpp"
 #include "diagnose/search/search.hpp"
 #include "diagnose/search/window_refit.hpp"
 #include "trajectories/windows/window_gap.hpp"
@@ -61,31 +62,34 @@ Proposals proposed(const EffectSearch& search, const CompositeModel& best, Found
   return {{std::move(proposal)}, std::move(result.rivals)};
 }
 
-/// Candidates with shapes or memory among effects, each once.
-std::vector<Candidate> special_forms(const std::vector<FittedEffect>& effects) {
+/// Candidates with shapes or memory among effects that may stand for what is missing, each once:
+/// all of them where something is left, else those whose time ended where its range does.
+std::vector<Candidate> doubted_forms(const Problem& problem, const CompositeModel& best) {
+  const bool leaves = has_residual_structure(best.left, problem.options.decision);
+  const std::string& unit = problem.nominal.time_unit();
   std::vector<Candidate> result;
-  for (const FittedEffect& effect : effects) {
+  for (const FittedEffect& effect : best.explanation.effects) {
     const Candidate& candidate = effect.candidate;
     const bool is_new = std::none_of(result.begin(), result.end(), [&](const Candidate& other) {
       return are_one_form(other, candidate);
     });
-    if (candidate.intricacy() > 0 && is_new) result.push_back(candidate);
+    const bool is_doubted = leaves || time_on_bound(effect, unit).has_value();
+    if (candidate.intricacy() > 0 && is_new && is_doubted) result.push_back(candidate);
   }
   return result;
 }
 
-/// Searches that may come to other effects than the best composite model: where something is
-/// left, without each of its special forms; where states are hidden, among all functions of the
-/// arguments that it has, along its path, which is nearer to the truth than the one from which
-/// its forms were chosen.
+/// Searches that may come to other effects than the best composite model: without each of its
+/// special forms that may stand for what is missing; where states are hidden, among all functions
+/// of the arguments that it has, along its path, which is nearer to the truth than the one from
+/// which its forms were chosen.
 std::vector<EffectSearch> other_searches(const EffectSearch& search,
                                          const CompositeModel& best) {
   std::vector<EffectSearch> others;
-  if (has_residual_structure(best.left, search.problem.options.decision))
-    for (Candidate& doubted : special_forms(best.explanation.effects)) {
-      others.push_back(search);
-      others.back().without.push_back(std::move(doubted));
-    }
+  for (Candidate& doubted : doubted_forms(search.problem, best)) {
+    others.push_back(search);
+    others.back().without.push_back(std::move(doubted));
+  }
   const bool remembers =
       best.explanation.fit.model.dimension() > search.problem.nominal.dimension();
   if (search.base.fit_options.hidden.empty() || remembers) return others;

@@ -7,6 +7,7 @@
 
 #include "core/base/text.hpp"
 #include "diagnose/criterion/effect_parts.hpp"
+#include "diagnose/criterion/shape_bounds.hpp"
 #include "diagnose/hypotheses/input_noise.hpp"
 #include "diagnose/hypotheses/residual_function.hpp"
 #include "lacuna/core/statistics/interval.hpp"

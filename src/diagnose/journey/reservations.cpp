@@ -7,37 +7,13 @@
 
 #include "core/base/text.hpp"
 #include "diagnose/criterion/effect_parts.hpp"
+#include "diagnose/criterion/shape_bounds.hpp"
 #include "records/channels/interpolated.hpp"
 
 namespace lacuna {
 namespace {
 
 using Sentences = std::vector<std::string>;
-
-/// Whether a shape ended where its range does, up to what a search resolves.
-bool is_on_bound(const ShapeParameter& shape, double value) {
-  constexpr double kOfRange = 1e-3, kOfBound = 1e-2;
-  const auto is_at = [&](double bound) {
-    const double size = bound != 0.0 ? kOfBound * std::abs(bound) : shape.high - shape.low;
-    return std::abs(value - bound) <= std::min(size, kOfRange * (shape.high - shape.low));
-  };
-  return is_at(shape.low) || is_at(shape.high);
-}
-
-/// Whether a shape parameter alone decides how fast a memory state fades.
-bool decides_fading(const ShapeParameter& shape, const MemoryState& memory) {
-  const auto names = differentiate(memory.rate, memory.name).variables();
-  return names.size() == 1 && names.contains(shape.name);
-}
-
-/// Whether a shape is how late something acts or is sampled, or how fast it fades.
-bool is_time(const Candidate& candidate, const ShapeParameter& shape,
-             const std::string& time_unit) {
-  return contains(candidate.form, Operation::Delay) ||
-         (candidate.place == Place::Channel && shape.unit == time_unit) ||
-         std::any_of(candidate.memory.begin(), candidate.memory.end(),
-                     [&](const MemoryState& memory) { return decides_fading(shape, memory); });
-}
 
 std::string where(const Problem& problem, Index equation) {
   return "d" + problem.nominal.states()[static_cast<std::size_t>(equation)].name + "/dt";
@@ -215,17 +191,6 @@ std::vector<Index> equations_turned_off(const Problem& problem,
     if (is_off) off.push_back(k);
   }
   return off;
-}
-
-std::optional<double> time_on_bound(const FittedEffect& effect, const std::string& time_unit) {
-  const Candidate& candidate = effect.candidate;
-  for (std::size_t s = 0; s < candidate.shapes.size(); ++s) {
-    const double value = effect.shapes[static_cast<Index>(s)];
-    if (is_time(candidate, candidate.shapes[s], time_unit) &&
-        is_on_bound(candidate.shapes[s], value))
-      return value;
-  }
-  return std::nullopt;
 }
 
 bool runs_away(const Gap& gap, const DecisionOptions& decision) {

@@ -35,10 +35,4 @@ bool stays_open(const Gap& gap, const DecisionOptions& decision);
 /// allows (DecisionOptions::diverging).
 bool runs_away(const Gap& gap, const DecisionOptions& decision);
 
-/// A time of an effect (its delay, how late a channel is sampled, or the time constant with which
-/// its memory fades whatever else moves) that ended where its range does; nothing where none did.
-/// The range is what records of this step and length show.
-/// @param time_unit of the model.
-std::optional<double> time_on_bound(const FittedEffect& effect, const std::string& time_unit);
-
 }  // namespace lacuna

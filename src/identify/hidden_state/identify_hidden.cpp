@@ -166,14 +166,14 @@ std::optional<HiddenFit> fitted(DerivativeModel derivative, const std::optional<
   if (is_beaten(complexity(is_simpler ? sparse : plain), best)) return std::nullopt;
   Refinement as_found = fit_of(plain, derivative.of, data, name, !best, context);
   if (as_found.status == RefineStatus::Diverged) return std::nullopt;
-  if (is_simpler && as_found.in_time) try {
-      Refinement simple = fit_of(sparse, derivative.of, data, name, false, context);
-      if (is_as_good(simple, as_found))
-        return HiddenFit{std::move(derivative), std::move(simple), complexity(sparse),
-                         period};
-    } catch (const OutOfTime&) {
-      as_found.in_time = false;
-    }
+  try {
+    if (is_simpler && as_found.in_time)
+      if (Refinement simple = fit_of(sparse, derivative.of, data, name, false, context);
+          is_as_good(simple, as_found))
+        return HiddenFit{std::move(derivative), std::move(simple), complexity(sparse), period};
+  } catch (const OutOfTime&) {
+    as_found.in_time = false;
+  }
   return HiddenFit{std::move(derivative), std::move(as_found), complexity(plain), period};
 }
 
@@ -189,10 +189,11 @@ HiddenFits fits_to(const Dataset& data, const Pipeline& pipeline,
                    const Differentiator& differentiator, const std::string& name,
                    const RunContext& context) {
   HiddenFits fits;
-  for (Index k = 0; k < data.state_count(); ++k) try {
+  try {
+    for (Index k = 0; k < data.state_count(); ++k) {
       if (data.rate_state(k) || !data.is_measured(k)) continue;
       const std::string& state = data.states[static_cast<std::size_t>(k)].name;
-      const RunContext& needed = fits.best ? context : context.unhurried();
+      const RunContext needed = fits.best ? context : context.unhurried();
       needed.report("derivative of " + state, double(k) / double(data.state_count()));
       DerivativeModel derivative{
           k, identify(embed(data, {{state, 2}}, differentiator), pipeline, context)};
@@ -201,9 +202,10 @@ HiddenFits fits_to(const Dataset& data, const Pipeline& pipeline,
           fitted(std::move(derivative), fits.best, data, name, context);
       if (found && (!fits.best || found->worth() < fits.best->worth()))
         fits.best = std::move(found);
-    } catch (const OutOfTime&) {
-      return {std::move(fits.best), false};
     }
+  } catch (const OutOfTime&) {
+    fits.in_time = false;
+  }
   return fits;
 }
 

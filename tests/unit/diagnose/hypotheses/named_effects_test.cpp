@@ -105,6 +105,21 @@ TEST(OtherChoices, DoNotTakeThePlaceOfWhatLeavesLessInWindows) {
       << "a cubic spring, which leaves more";
 }
 
+TEST(OtherChoices, TakeThePlaceOfAFirstChoiceWhoseTimeEndedWhereItsRangeDoes) {
+  const support::Asked asked = asked_of(support::dry_friction);
+  CompositeModel first = wrong_choice(asked);
+  first.left.clear();  // as if it left nothing
+  FittedEffect& chosen = first.explanation.effects[0];
+  chosen.candidate.form = parse_expression("delay(q,s)-q");
+  chosen.shapes[0] = 1.0;
+  EXPECT_TRUE(OtherChoices().propose(asked.problem(), first).composites.empty());
+  chosen.shapes[0] = chosen.candidate.shapes[0].low;
+  const Proposals made = OtherChoices().propose(asked.problem(), first);
+  ASSERT_EQ(made.composites.size(), 1u);
+  ASSERT_EQ(made.composites[0].composite.named.size(), 1u);
+  EXPECT_EQ(made.composites[0].composite.named[0].name, "dry");
+}
+
 TEST(OtherChoices, AreNotSoughtWhereNothingIsLeftOrNoFormIsSpecial) {
   const support::Asked asked = asked_of(support::dry_friction);
   CompositeModel first = wrong_choice(asked);

@@ -175,33 +175,5 @@ TEST_F(Reservations, OneChannelDoesNotConfirmTwoEffectsBesideAHiddenState) {
   EXPECT_TRUE(said(two).empty()) << "one process in two equations";
 }
 
-/// A lag whose time constant may be between 0.1 and 10.
-FittedEffect lag_of(double tau) {
-  Candidate candidate;
-  candidate.form = parse_expression("slow-v");
-  candidate.shapes = {{"tau", "s", 0.1, 10.0, true}, {"fraction", "", 0.05, 0.95, false}};
-  candidate.memory = {
-      {"slow", parse_expression("(fraction*v-slow)/tau"), parse_expression("v")}};
-  return {candidate, Vector{{tau, 0.05}}, 1.0, 0.01};
-}
-
-/// A channel that is sampled late, by at most 0.4 s.
-FittedEffect skew_of(double skew) {
-  Candidate candidate;
-  candidate.form = parse_expression("v+skew/2*a");
-  candidate.shapes = {{"skew", "s", -0.4, 0.4, false}, {"edge", "m", 0.0, 1.0, false}};
-  candidate.place = Place::Channel;
-  return {candidate, Vector{{skew, 0.0}}, 1.0, 0.01};
-}
-
-TEST_F(Reservations, ATimeThatTheRecordsDoNotShowIsOnABound) {
-  EXPECT_FALSE(time_on_bound(lag_of(1.0), "s").has_value()) << "the fraction is no time";
-  EXPECT_EQ(time_on_bound(lag_of(0.1), "s"), 0.1);
-  EXPECT_EQ(time_on_bound(lag_of(10.0), "s"), 10.0);
-  EXPECT_FALSE(time_on_bound(stop(0.0), "s").has_value()) << "an edge is no time";
-  EXPECT_EQ(time_on_bound(skew_of(-0.4), "s"), -0.4);
-  EXPECT_FALSE(time_on_bound(skew_of(0.1), "s").has_value());
-}
-
 }  // namespace
 }  // namespace lacuna
