@@ -25,7 +25,7 @@ bool is_time(const Candidate& candidate, const ShapeParameter& shape,
 }  // namespace
 
 bool is_on_bound(const ShapeParameter& shape, double value) {
-  constexpr double kOfRange = 1e-3, kOfBound = 1e-2;
+  constexpr double kOfRange = 1e-3, kOfBound = 1e-2;  // facts of the search: what it resolves
   const auto is_at = [&](double bound) {
     const double size = bound != 0.0 ? kOfBound * std::abs(bound) : shape.high - shape.low;
     return std::abs(value - bound) <= std::min(size, kOfRange * (shape.high - shape.low));

@@ -121,8 +121,10 @@ struct HiddenFit {
   /// What the better one of two has less of: what is no noise in windows of a period, then terms,
   /// or else residuals. In windows of a few samples any model follows the records.
   std::pair<bool, double> worth() const {
-    const auto windows = static_cast<Index>(fit.windows.size());
-    bool explained = fit.states.rows() >= period * windows;
+    constexpr double kPeriods = 1.0;  // a decision (docs/decisions/numbers.md)
+    const double window = static_cast<double>(fit.states.rows()) /
+                          static_cast<double>(fit.windows.size());
+    bool explained = window >= kPeriods * static_cast<double>(period);
     double misfit = 0.0;
     for (const ResidualStatistics& residual : fit.residuals) {
       explained = explained && is_explained(fit, residual);

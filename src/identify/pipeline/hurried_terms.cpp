@@ -12,7 +12,7 @@
 namespace lacuna {
 namespace {
 
-/// Decisions on what an answer is made of past its time limit (docs/decisions/numbers.md).
+/// Decisions on what an answer is made of past its time limit (docs/decisions/bounds.md).
 constexpr double kCheapProducts = 1e9;
 constexpr Index kLeading = 32;
 

@@ -392,7 +392,7 @@ IdentificationResult run_equations(const Run& run, const FirstAnswer& first) {
 
 /// For what is done past the deadline where it does not take long.
 RunContext with_grace(RunContext context) {
-  // A decision on what is worth more than the limit (docs/decisions/numbers.md).
+  // A decision on what is worth more than the limit (docs/decisions/bounds.md).
   constexpr std::chrono::milliseconds kGrace{100};
   if (context.deadline)
     context.deadline = std::max(*context.deadline, std::chrono::steady_clock::now()) + kGrace;
