@@ -37,8 +37,10 @@ TEST(Twins, AStoreLeadsWhereADelayDoesAsWell) {
 Dataset in_other_unit(Dataset data, double factor, double offset) {
   data.states = {{"reading", ""}};
   data.rate_of.clear();
-  for (Trajectory& record : data.trajectories)
-    record.states = (factor * record.states.leftCols(1).array() + offset).matrix();
+  for (Trajectory& record : data.trajectories) {
+    const Matrix first = record.states.leftCols(1);
+    record.states = factor * first.array() + offset;
+  }
   return data;
 }
 
