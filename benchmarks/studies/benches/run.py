@@ -22,6 +22,7 @@ import zlib
 import numpy as np
 
 import afterwards  # noqa: F401  registers its benches
+import approximated  # noqa: F401
 import coupled  # noqa: F401
 import later  # noqa: F401
 import machines  # noqa: F401
@@ -126,7 +127,7 @@ def summary(rows):
         "| median s | longest s |"
     ]
     lines.append("| --- " * 8 + "|")
-    for group in ("earlier", "new", "untouched", "later", "passing", "coupled", "afterwards"):
+    for group in dict.fromkeys(kind.group for kind in KINDS.values()):
         chosen = [row for row in rows if row["group"] == group]
         if not chosen:
             continue
