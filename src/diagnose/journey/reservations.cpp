@@ -130,6 +130,19 @@ void add_hardly_closing(const Problem& problem, const CompositeModel& composite,
                  " % goes with what is named");
 }
 
+/// A law that stands for another one leaves little, and that not by chance.
+void add_small_structure(const Problem& problem, const CompositeModel& composite,
+                         Sentences& said) {
+  const DecisionOptions& decision = problem.options.decision;
+  if (composite.named.empty()) return;
+  for (const EquationStructure& left : composite.left)
+    if (has_residual_structure({left}, decision) && !is_substantial(left, decision))
+      said.push_back("what is named leaves structure in " + where(problem, left.equation) +
+                     " that is small (" + format_number(100.0 * left.relative, 2) +
+                     " % of its rate of change) but not by chance (" +
+                     format_number(left.sigma, 3) + " sigma)");
+}
+
 /// Of what acts on hidden states only what reaches a channel is seen: one channel cannot
 /// confirm several effects, each of which may stand for a part of another one.
 void add_unconfirmed(const Problem& problem, const CompositeModel& composite, Sentences& said) {
@@ -216,6 +229,7 @@ Sentences reservations(const Problem& problem, const CompositeModel& composite,
   add_rescaled(problem, composite, said);
   add_idle(problem, composite, said);
   add_hardly_closing(problem, composite, said);
+  add_small_structure(problem, composite, said);
   add_unconfirmed(problem, composite, said);
   add_seldom_recorded(problem, composite, said);
   return said;

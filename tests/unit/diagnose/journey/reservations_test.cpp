@@ -161,6 +161,20 @@ TEST_F(Reservations, AnEffectOfFewSamplesIsSaid) {
   EXPECT_TRUE(said(composite(rare)).empty());
 }
 
+TEST_F(Reservations, ALawThatLeavesLittleButNotByChanceIsSaid) {
+  CompositeModel judged = composite(stop(-0.1));
+  const auto leaves = [&](double sigma, double relative) {
+    judged.left = {{.equation = 1, .sigma = sigma, .relative = relative}};
+    return said(judged);
+  };
+  EXPECT_TRUE(speaks_of(leaves(7.8, 4.6e-4), "structure in dv/dt that is small (0.046 %"));
+  EXPECT_TRUE(leaves(2.9, 4.6e-4).empty()) << "chance does that";
+  EXPECT_TRUE(leaves(178.0, 9e-5).empty()) << "solvers and interpolated inputs leave that";
+  EXPECT_TRUE(leaves(7.8, 2e-3).empty()) << "the verdict counts it as structure";
+  judged.named.clear();
+  EXPECT_TRUE(leaves(7.8, 4.6e-4).empty()) << "nothing claims to explain";
+}
+
 TEST_F(Reservations, OneChannelDoesNotConfirmTwoEffectsBesideAHiddenState) {
   CompositeModel two = composite(stop(-0.1));
   two.named.push_back({.equation = 0, .name = "another"});
