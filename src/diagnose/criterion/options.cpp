@@ -64,6 +64,12 @@ void describe_judgement(DecisionOptions& o, OptionVisitor& v) {
            "A model with a larger gap there is not called explained, be it by chance or not.",
            1.0},
           o.open_gap);
+  v.field({"least_closed", "",
+           "Where a gap stays on records that were not used, names keep their place only if "
+           "with them at least this fraction goes of the squared gap that fitted coefficients "
+           "alone leave above the noise.",
+           0.0, 1.0},
+          o.least_closed);
   v.field({"diverging", "standard deviations",
            "A model that runs freely over records that were not used is no model yet where "
            "its rms error is more than so many standard deviations of the states: their "

@@ -308,6 +308,18 @@ HoldoutEvaluation evaluate_time(const Problem& problem, const CompositeModel& co
               "used at best"};
 }
 
+namespace {
+
+/// Of the squared gap above the noise, what goes: (before^2 - after^2) / (before^2 - floor^2).
+double closed_fraction(const Gap& gap) {
+  const auto above = [&](double root) {
+    return root * root - gap.noise_floor * gap.noise_floor;
+  };
+  return 1.0 - above(gap.after) / above(gap.before);
+}
+
+}  // namespace
+
 HoldoutEvaluation evaluate_names(const Problem& problem, const CompositeModel& composite,
                                  const Gap& gap) {
   const std::vector<FittedEffect>& effects = composite.explanation.effects;
@@ -319,6 +331,11 @@ HoldoutEvaluation evaluate_names(const Problem& problem, const CompositeModel& c
                             " does beyond a fit of the coefficients ";
   if (gap.after > (1.0 + decision.negligible) * gap.before)
     return {true, false, names + "makes the records that were not used worse: it gets no name"};
+  if (stays_open(gap, decision) && closed_fraction(gap) < decision.least_closed)
+    return {true, false,
+            names + "closes " + format_number(100.0 * std::max(0.0, closed_fraction(gap)), 2) +
+                " % of the squared gap above the noise on the records that were not used, and "
+                "a gap stays: what explains no more gets no name"};
   // On other records of the same length a gain is half as many deviations as on those on which
   // the coefficient was fitted.
   const double least = 0.5 * decision.possible;

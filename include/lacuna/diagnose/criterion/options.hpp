@@ -38,6 +38,7 @@ struct DecisionOptions {
 
   double explained_gap = 1.5;
   double open_gap = 2.0;
+  double least_closed = 0.9;
   double diverging = 1.0;
   double input_noise = 0.6;
   double cancelling = 0.1;

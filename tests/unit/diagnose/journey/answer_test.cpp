@@ -136,6 +136,20 @@ TEST_F(Answer, NamesHaveToShowBeyondAFitOfCoefficients) {
   EXPECT_FALSE(withdrawn(nameless(0.0), unseen));
 }
 
+TEST_F(Answer, NamesBesideAGapThatStaysHaveToCloseMostOfIt) {
+  const CompositeModel friction = composite("sign(v)");
+  const auto withdrawn = [&](const Gap& other) {
+    return evaluate_names(asked_.problem(), friction, other).withdraw;
+  };
+  EXPECT_FALSE(withdrawn(gap(10.0, 3.2))) << "91 % of 99 go";
+  EXPECT_TRUE(withdrawn(gap(10.0, 3.5))) << "89 % of 99 go";
+  EXPECT_FALSE(withdrawn(gap(3.0, 1.4))) << "none stays, by DecisionOptions::explained_gap";
+  asked_.options.decision.least_closed = 0.5;
+  EXPECT_FALSE(withdrawn(gap(10.0, 3.5)));
+  EXPECT_FALSE(evaluate_names(asked_.problem(), composite("sin(t)"), gap(10.0, 9.0)).withdraw)
+      << "need not come again";
+}
+
 TEST_F(Answer, WhatIsLessThanTheNoiseIsNotToldFromRounding) {
   const Problem problem = asked_.problem();
   CompositeModel friction = composite("sign(v)");
