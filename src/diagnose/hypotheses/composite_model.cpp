@@ -54,10 +54,10 @@ bool leaves_structure(const CompositeModel& composite, const DecisionOptions& de
 }
 
 bool has_residual_structure(const std::vector<EquationStructure>& left,
-                            const DecisionOptions& decision) {
+                            const DecisionOptions& decision, std::optional<Index> equation) {
   DecisionOptions smaller = decision;
   smaller.effect_size *= decision.minor;
-  return is_left_in(left, smaller);
+  return is_left_in(left, smaller, equation);
 }
 
 bool closes_most(const CompositeModel& composite, const Problem& problem) {

@@ -44,11 +44,12 @@ struct WrongShapes {
   Rival better;                      ///< what was better, for the trail
 };
 
-/// Effects that say of which argument a rate is a function, and how it bends, where something else
-/// in their place leaves no structure and is better beyond doubt, whatever it costs: a free curve
-/// (a cubic spline) of the argument where they leave structure, one formula of it
-/// (fitted_formulas()) where they are several. A plain term alone is the first of a series,
-/// whatever the function is, and keeps its name.
+/// Effects that say of which argument a rate is a function, where something else in their place
+/// leaves nothing (of the size of an effect where they leave that, else nothing significant at
+/// all) and is better beyond doubt, whatever it costs. One formula of the argument
+/// (fitted_formulas()) may stand in the place of several, and of one that leaves structure, be it
+/// small (has_residual_structure()); a free curve (a cubic spline) only there, and not in the
+/// place of a plain term alone, which is the first of a series, whatever the curve is.
 std::optional<WrongShapes> wrong_shapes(const Problem& problem, const CompositeModel& composite);
 
 }  // namespace lacuna

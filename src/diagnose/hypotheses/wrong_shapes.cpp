@@ -104,7 +104,7 @@ std::vector<Group> groups_of(const Effects& effects) {
 }
 
 /// Whether a group says how a function bends: one of its forms has a shape, or they are several. A
-/// plain term alone is the first of a series, whatever the function is.
+/// plain term alone is the first of a series, whatever the curve is: only another law refutes it.
 bool says_how_it_bends(const Group& group, const Effects& effects) {
   return group.effects.size() > 1 || effects[group.effects.front()].shapes.size() > 0;
 }
@@ -120,38 +120,61 @@ std::vector<std::vector<std::size_t>> replaced_for(const Group& group, const Eff
   return {std::move(all), group.effects};
 }
 
+/// What stands in the place of named functions: a free curve of their argument, or a formula.
+enum class Function { Formula, Curve };
+
+/// Such a function in the place of effects of a composite model, where it leaves nothing and is
+/// better beyond doubt.
+std::optional<Rival> better_function(const Problem& problem, const CompositeModel& composite,
+                                     const Group& group,
+                                     const std::vector<std::size_t>& places, Function kind) {
+  const DecisionOptions& decision = problem.options.decision;
+  const Criterion& criterion = *problem.options.criterion;
+  const CompositeModel rest = without(problem, composite, places);
+  const bool is_curve = kind == Function::Curve;
+  const auto other =
+      (is_curve ? with_curve : with_formula)(problem, rest, group.equation, group.variable);
+  // Beside structure of the size of an effect nothing less is asked for.
+  const auto leaves =
+      is_left_in(composite.left, decision, group.equation) ? is_left_in : has_residual_structure;
+  if (!other || leaves(other->left, decision, group.equation)) return std::nullopt;
+  const double own = criterion.value(evidence_of(composite));
+  const double value = criterion.value(evidence_of(*other));
+  if (!(value < own - decision.undecided)) return std::nullopt;
+  const auto k = static_cast<std::size_t>(group.equation);
+  Rival rival{composite.hypothesis,
+              (is_curve ? "a free curve of " : "one formula of ") + group.variable + " in d" +
+                  problem.nominal.states()[k].name + "/dt",
+              value,
+              true,
+              std::string(criterion.info().name),
+              value,
+              own};
+  rival.rule = "it leaves nothing, and none of the named functions is it";
+  return rival;
+}
+
+/// The functions that may stand in the place of a group.
+std::vector<Function> functions_for(const Group& group, const CompositeModel& composite,
+                                    const DecisionOptions& decision) {
+  const bool left = has_residual_structure(composite.left, decision, group.equation);
+  if (left && says_how_it_bends(group, composite.explanation.effects))
+    return {Function::Formula, Function::Curve};
+  if (left || group.effects.size() > 1) return {Function::Formula};
+  return {};
+}
+
 }  // namespace
 
 std::optional<WrongShapes> wrong_shapes(const Problem& problem,
                                         const CompositeModel& composite) {
-  const DecisionOptions& decision = problem.options.decision;
-  const Criterion& criterion = *problem.options.criterion;
   const Effects& effects = composite.explanation.effects;
   if (composite.named.size() != effects.size()) return std::nullopt;
-  const double own = criterion.value(evidence_of(composite));
-  for (const Group& group : groups_of(effects)) {
-    const bool left = is_left_in(composite.left, decision, group.equation);
-    if (!(left ? says_how_it_bends(group, effects) : group.effects.size() > 1)) continue;
-    for (const std::vector<std::size_t>& places : replaced_for(group, effects)) {
-      const CompositeModel rest = without(problem, composite, places);
-      const auto other = (left ? with_curve : with_formula)(problem, rest, group.equation,
-                                                            group.variable);
-      if (!other || is_left_in(other->left, decision, group.equation)) continue;
-      const double value = criterion.value(evidence_of(*other));
-      if (!(value < own - decision.undecided)) continue;
-      const auto k = static_cast<std::size_t>(group.equation);
-      Rival rival{composite.hypothesis,
-                  (left ? "a free curve of " : "one formula of ") + group.variable + " in d" +
-                      problem.nominal.states()[k].name + "/dt",
-                  value,
-                  true,
-                  std::string(criterion.info().name),
-                  value,
-                  own};
-      rival.rule = "it leaves nothing, and none of the named functions is it";
-      return WrongShapes{places, std::move(rival)};
-    }
-  }
+  for (const Group& group : groups_of(effects))
+    for (const Function kind : functions_for(group, composite, problem.options.decision))
+      for (const std::vector<std::size_t>& places : replaced_for(group, effects))
+        if (auto better = better_function(problem, composite, group, places, kind))
+          return WrongShapes{places, *std::move(better)};
   return std::nullopt;
 }
 

@@ -115,10 +115,11 @@ bool is_left_in(const std::vector<EquationStructure>& left, const DecisionOption
 /// Whether some equation has substantial structure left.
 bool leaves_structure(const CompositeModel& composite, const DecisionOptions& decision);
 
-/// Whether anything significant is left, be it a minor part of an effect: special forms that
-/// stand for another thing leave that much.
+/// Whether anything significant is left in an equation, or in any, be it a minor part of an
+/// effect: forms that stand for another thing leave that much.
 bool has_residual_structure(const std::vector<EquationStructure>& left,
-                            const DecisionOptions& decision);
+                            const DecisionOptions& decision,
+                            std::optional<Index> equation = {});
 
 /// Whether the effects take away most of the variance of the disturbances, or show the motion;
 /// less is no explanation.

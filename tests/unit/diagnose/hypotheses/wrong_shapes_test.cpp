@@ -30,8 +30,11 @@ CompositeModel named(const support::Asked& asked, const std::vector<FittedEffect
   return composite;
 }
 
+/// A function of q of which no formula leaves nothing.
+double bumps(double, double q, double) { return -4.0 * q * q * q + 0.4 * std::sin(9.0 * q); }
+
 TEST(WrongShapes, AreThoseThatACurveOfTheirArgumentShowsToBeOthers) {
-  const support::Asked asked = support::asked(support::ripple, 0.002);
+  const support::Asked asked = support::asked(bumps, 0.002);
   const CompositeModel composite =
       named(asked, {plain_effect("v*abs(v)"), plain_effect("q^3"), plain_effect("q^5")});
   ASSERT_TRUE(leaves_structure(composite, asked.options.decision));
@@ -57,10 +60,21 @@ TEST(WrongShapes, AreSeveralWhereOneFormulaDoesBetter) {
 }
 
 TEST(WrongShapes, IsNoPlainTermAlone) {
-  const support::Asked asked = support::asked(support::ripple, 0.002);
+  const support::Asked asked = support::asked(bumps, 0.002);
   const CompositeModel composite = named(asked, {plain_effect("q^3")});
   ASSERT_TRUE(leaves_structure(composite, asked.options.decision));
   EXPECT_FALSE(wrong_shapes(asked.problem(), composite)) << "the first of a series";
+}
+
+TEST(WrongShapes, IsAPlainTermWhereALawLeavesNothing) {
+  const support::Asked asked = support::asked(
+      [](double, double q, double) { return -3.0 * std::sin(2.0 * q); }, 0.002);
+  const CompositeModel composite = named(asked, {plain_effect("q^3")});
+  ASSERT_TRUE(has_residual_structure(composite.left, asked.options.decision));
+  const auto wrong = wrong_shapes(asked.problem(), composite);
+  ASSERT_TRUE(wrong);
+  EXPECT_EQ(wrong->effects, std::vector<std::size_t>{0});
+  EXPECT_EQ(wrong->better.composite, "one formula of q in dv/dt");
 }
 
 TEST(WrongShapes, AreNoneWhereNothingIsLeft) {
