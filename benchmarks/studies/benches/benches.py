@@ -6,7 +6,8 @@ Each bench is a function of a generator of random numbers. It gives what the stu
 BEYOND: what is missing has no name), `also` those that are no fault beside them. Kinds of the
 group "earlier" were used while the diagnosis was written, kinds of the group "new" had been
 written down before any of them was diagnosed, those of "untouched" after the last change, those of
-"later", "passing", "coupled", "afterwards" and "approximated" before any of them was diagnosed.
+"later", "passing", "coupled", "afterwards", "approximated" and "fresh" before any of them was
+diagnosed.
 """
 
 import dataclasses

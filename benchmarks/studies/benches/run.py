@@ -24,6 +24,7 @@ import numpy as np
 import afterwards  # noqa: F401  registers its benches
 import approximated  # noqa: F401
 import coupled  # noqa: F401
+import fresh  # noqa: F401
 import later  # noqa: F401
 import machines  # noqa: F401
 import passing  # noqa: F401
