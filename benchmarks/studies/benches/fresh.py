@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: MIT
 """Benches that were written after the last change that the approximated ones led to.
 
-Written down before any of them was diagnosed: in four of them what is missing has a name, in six
-a law without one.
+Written down before any of them was diagnosed: in six of them what is missing has a name, in four
+a law without one. (Of two of the six that had not been thought of: a hole leaks, and what passes
+between two bodies saturates.)
 """
 
 import numpy as np
@@ -51,7 +52,7 @@ def cart_on_a_rough_rail(rng):
     return on_a_spring(rng, lambda x, v: -0.8 * switch(v, 0.01) + 0.08 * np.sin(12 * x), 0.2)
 
 
-@bench("fresh", lacks=BEYOND)
+@bench("fresh", lacks=("h:leakage",))
 def vessel_with_a_hole(rng):
     """What leaves a vessel through a hole grows with the root of its level."""
     time = np.arange(2400) * 1.0
@@ -89,7 +90,7 @@ def herds_of_two_kinds(rng):
     return Bench(time, channels_of(rng, ["x", "y"], x, 0.4), {"f": feed}, model)
 
 
-@bench("fresh", lacks=BEYOND)
+@bench("fresh", lacks=("T:saturation", "S:saturation"))
 def exchanger_that_saturates(rng):
     """Heat passes with the tanh of a difference of two temperatures, and both feel it."""
     time = np.arange(2400) * 2.0
