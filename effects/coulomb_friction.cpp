@@ -41,12 +41,19 @@ bool bends_at_standstill(const FittedForm& fitted) {
          (!own || bend->inside < 0.0);
 }
 
+// Whether a form of friction is one: its force is there as soon as something moves.
+bool is_there_at_once(const FittedForm& fitted) {
+  const std::optional<Bend> bend = bend_of(fitted);
+  return !bend || bend->edge < fitted.options.standstill * range_of_argument(fitted).magnitude();
+}
+
 std::optional<Reading> coulomb_friction_reading(const FittedForm& fitted) {
   const Candidate& candidate = fitted.candidate;
   const Expression& v = candidate.argument;
   if (!is_felt_speed(fitted.scope, candidate.equation, v)) return std::nullopt;
   const bool own_form = has_form(candidate, "sign(x)") || has_form(candidate, "tanh(x/a)");
-  if (!(own_form && opposes(fitted)) && !bends_at_standstill(fitted)) return std::nullopt;
+  const bool rubs = own_form && opposes(fitted) && is_there_at_once(fitted);
+  if (!rubs && !bends_at_standstill(fitted)) return std::nullopt;
   const bool own = is_own_speed(fitted.scope, candidate.equation, v);
   return Reading{(own ? "dry friction opposing " : "dry friction of ") + v.to_string(),
                  Precedence::Contextual,

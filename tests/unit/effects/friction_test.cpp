@@ -23,6 +23,18 @@ TEST(CoulombFriction, IsSharpOrSmooth) {
   EXPECT_EQ(smooth.shapes[0].unit, "m/s");
 }
 
+TEST(CoulombFriction, IsThereAsSoonAsSomethingMoves) {
+  const Scope scope = oscillator_scope();
+  const double fastest = scope.range_of(parse_expression("v")).magnitude();
+  const Candidate smooth = candidate_of<kCoulombFriction>(scope, 1, "tanh(v/width)");
+  const auto is_friction = [&](double width) {
+    const Vector shapes = Vector::Constant(1, width * fastest);
+    return support::reading_of<kCoulombFriction>(scope, smooth, -0.4, shapes).has_value();
+  };
+  EXPECT_TRUE(is_friction(0.09));
+  EXPECT_FALSE(is_friction(0.11)) << "a saturation";
+}
+
 TEST(CoulombFriction, NeedsAVelocityOfBothSigns) {
   Scope scope = oscillator_scope();
   scope.variables[1].low = 0.1;
