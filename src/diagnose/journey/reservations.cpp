@@ -173,13 +173,23 @@ void add_seldom_recorded(const Problem& problem, const CompositeModel& composite
   }
 }
 
+/// Whether a gap is larger than so many noise floors. What is no size of an effect comes from the
+/// arithmetic that made or sampled the records.
+bool is_above(const Gap& gap, double floors, const DecisionOptions& decision) {
+  return gap.after > floors * gap.noise_floor &&
+         gap.after > std::hypot(gap.noise_floor, decision.effect_size);
+}
+
+/// Whether a gap is larger than noise makes it whose memory is not modelled: with the right names
+/// of effects nothing else is there. (The fault of a sensor is an approximation.)
+bool exceeds_noise(const Gap& gap, const DecisionOptions& decision) {
+  return is_above(gap, decision.noise_inflation, decision);
+}
+
 }  // namespace
 
 bool stays_open(const Gap& gap, const DecisionOptions& decision) {
-  // What is no size of an effect comes from the arithmetic that made or sampled the records.
-  if (!(gap.after > decision.explained_gap * gap.noise_floor) ||
-      !(gap.after > std::hypot(gap.noise_floor, decision.effect_size)))
-    return false;
+  if (!is_above(gap, decision.explained_gap, decision)) return false;
   // Scatter over few windows, or one that stands for most of it, hides no gap that is large
   // against the noise.
   return gap.above_floor >= decision.significance ||
@@ -213,7 +223,9 @@ bool runs_away(const Gap& gap, const DecisionOptions& decision) {
 Sentences reservations(const Problem& problem, const CompositeModel& composite,
                        const std::optional<Gap>& gap) {
   Sentences said;
-  if (gap && stays_open(*gap, problem.options.decision))
+  const bool is_named = !composite.named.empty();
+  if (gap && (stays_open(*gap, problem.options.decision) ||
+              (is_named && exceeds_noise(*gap, problem.options.decision))))
     said.push_back("the gap on the records that were not used stays at " +
                    format_number(gap->after / gap->noise_floor, 3) + " times its noise floor");
   if (gap && runs_away(*gap, problem.options.decision))
@@ -221,7 +233,7 @@ Sentences reservations(const Problem& problem, const CompositeModel& composite,
                    "it is off by " +
                    format_number(gap->free_after->apart, 3) + " times their spread");
   add_turned_off(problem, composite, said);
-  if (composite.named.empty() && composite.findings.empty()) return said;
+  if (!is_named && composite.findings.empty()) return said;
   said.insert(said.end(), composite.doubts.begin(), composite.doubts.end());
   add_bounds(composite, said);
   add_cancelling(problem, composite, said);

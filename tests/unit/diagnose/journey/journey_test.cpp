@@ -152,7 +152,7 @@ TEST_F(Journey, NamesOfFunctionsThatAreOthersAreGivenBackWhileThereIsTime) {
   const Judged settled = settle_composite(problem, problem.context, all, {composite});
   EXPECT_TRUE(settled.best.named.empty());
   ASSERT_FALSE(settled.trail.empty());
-  EXPECT_EQ(settled.trail[0].composite, "a free curve of q in dv/dt");
+  EXPECT_EQ(settled.trail[0].composite, "one formula of q in dv/dt");
   ASSERT_TRUE(settled.best.unnamed);
   EXPECT_NE(settled.best.unnamed->formula.find("sin("), std::string::npos);
   RunContext late;
