@@ -130,13 +130,23 @@ void add_hardly_closing(const Problem& problem, const CompositeModel& composite,
                  " % goes with what is named");
 }
 
+/// Whether an effect in an equation jumps: when it does between two samples is not resolved.
+bool jumps_in(const CompositeModel& composite, Index equation) {
+  const std::vector<FittedEffect>& effects = composite.explanation.effects;
+  return std::any_of(effects.begin(), effects.end(), [&](const FittedEffect& effect) {
+    return effect.candidate.equation == equation &&
+           contains(effect.candidate.form, Operation::Sign);
+  });
+}
+
 /// A law that stands for another one leaves little, and that not by chance.
 void add_small_structure(const Problem& problem, const CompositeModel& composite,
                          Sentences& said) {
   const DecisionOptions& decision = problem.options.decision;
   if (composite.named.empty()) return;
   for (const EquationStructure& left : composite.left)
-    if (has_residual_structure({left}, decision) && !is_substantial(left, decision))
+    if (has_residual_structure({left}, decision) && !is_substantial(left, decision) &&
+        !jumps_in(composite, left.equation))
       said.push_back("what is named leaves structure in " + where(problem, left.equation) +
                      " that is small (" + format_number(100.0 * left.relative, 2) +
                      " % of its rate of change) but not by chance (" +

@@ -183,6 +183,9 @@ TEST_F(Reservations, ALawThatLeavesLittleButNotByChanceIsSaid) {
   EXPECT_TRUE(leaves(2.9, 4.6e-4).empty()) << "chance does that";
   EXPECT_TRUE(leaves(178.0, 9e-5).empty()) << "solvers and interpolated inputs leave that";
   EXPECT_TRUE(leaves(7.8, 2e-3).empty()) << "the verdict counts it as structure";
+  judged.explanation.effects[0].candidate.form = parse_expression("sign(v)");
+  EXPECT_TRUE(leaves(9.5, 6.4e-4).empty()) << "when it jumps is known to a step";
+  judged.explanation.effects[0].candidate.form = parse_expression("v^3");
   judged.named.clear();
   EXPECT_TRUE(leaves(7.8, 4.6e-4).empty()) << "nothing claims to explain";
 }
