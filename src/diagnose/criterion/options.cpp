@@ -34,7 +34,8 @@ void describe_search(DecisionOptions& o, OptionVisitor& v) {
           o.start_fits);
   v.field({"noise_inflation", "",
            "Noise with a memory is tried, and identities are doubted, where the noise of a "
-           "channel is larger, by this factor, than that between neighbouring samples.",
+           "channel is larger, by this factor, than that between neighbouring samples; names "
+           "are an explanation only where the gap on other records is within this of its floor.",
            1.0},
           o.noise_inflation);
   v.field({"long_window", "mean periods",

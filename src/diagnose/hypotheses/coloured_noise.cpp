@@ -103,7 +103,7 @@ Baseline coloured_baseline(const Problem& problem, const Baseline& base,
 }  // namespace
 
 double noise_inflation(const NoiseModel& noise, const Assimilation& exact) {
-  constexpr double kResolutions = 10.0;  // below so many of them noise is rounding
+  constexpr double kResolutions = 10.0;  // a fact of arithmetic: less noise is rounding
   const Vector seen = exact.estimated_noise.cwiseMax(kResolutions * exact.least_noise);
   double largest = 0.0;
   for (std::size_t k = 0; k < noise.measurement.size(); ++k) {
