@@ -3,9 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <map>
 #include <set>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include "repository/source_tree.hpp"
 
@@ -93,6 +95,55 @@ TEST(Layers, WhatPointsUpOrBetweenTheJourneysIsFound) {
   EXPECT_FALSE(may_include("forms", "regression"));
   EXPECT_EQ(wing_of("solvers/l1/l1_ceres.cpp"), "regression");
   EXPECT_EQ(wing_of("include/lacuna/effects/forms.hpp"), "forms");
+}
+
+/// Pairs of folders of which each includes the other, until they are one or a third lies below.
+const std::set<std::pair<std::string, std::string>> kCirclesLeft = {
+    {"core/base", "core/numerics"},
+    {"data/formats", "data/logs"},
+    {"data/records", "data/times"},
+    {"data/records", "data/units"},
+    {"diagnose/hypotheses", "diagnose/journey"},
+    {"diagnose/hypotheses", "diagnose/search"},
+    {"records/binding", "records/channels"},
+    {"report/json", "report/pages"},
+    {"report/pages", "report/plot"},
+    {"trajectories/refiners", "trajectories/subset_selection"}};
+
+/// The pairs of folders that include each other, each in alphabetical order. `edges` has for a
+/// folder those that it includes.
+std::set<std::pair<std::string, std::string>> circles_in(
+    const std::map<std::string, std::set<std::string>>& edges) {
+  std::set<std::pair<std::string, std::string>> circles;
+  for (const auto& [folder, included] : edges)
+    for (const std::string& other : included) {
+      const auto back = edges.find(other);
+      if (folder < other && back != edges.end() && back->second.contains(folder))
+        circles.emplace(folder, other);
+    }
+  return circles;
+}
+
+TEST(Circles, OfTwoFoldersAreFound) {
+  EXPECT_TRUE(circles_in({{"a", {"b"}}, {"b", {"c"}}}).empty());
+  EXPECT_EQ(circles_in({{"a", {"b", "c"}}, {"b", {"a"}}, {"c", {"b"}}}),
+            (std::set<std::pair<std::string, std::string>>{{"a", "b"}}));
+}
+
+TEST(Circles, NoTwoFoldersIncludeEachOther) {
+  std::map<std::string, std::set<std::string>> edges;
+  for (const SourceFile& file : sources_below(kFolders)) {
+    if (file.path.parent_path() == "include/lacuna") continue;
+    const std::string folder = folder_of(file.path);
+    for (const std::string& line : file.lines) {
+      const std::string header = included_header(line);
+      if (header.empty() || has_no_wing(header)) continue;
+      const std::string other = folder_of("src/" + header);
+      if (other != folder) edges[folder].insert(other);
+    }
+  }
+  ASSERT_FALSE(edges.empty());
+  EXPECT_EQ(circles_in(edges), kCirclesLeft);
 }
 
 TEST(Layers, AWingHasAtMostEightChildren) {
