@@ -32,7 +32,7 @@ make_wheel() {
   rm -rf $wheels "$build/.skbuild-info.json"
   "$tools/bin/pip" wheel . -q --no-deps --no-build-isolation -w $wheels \
     "${settings[@]/#/--config-settings=}"
-  wheel=$(echo $wheels/lacuna-*.whl)
+  wheel=$(echo $wheels/lacuna_ode-*.whl)
 }
 
 # run_tests: under a sanitizer without what measures, or reads sources only. Its library has to be

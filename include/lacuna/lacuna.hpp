@@ -5,6 +5,7 @@
 #include "lacuna/cli/commands/cli.hpp"
 #include "lacuna/cli/configuration/configuration.hpp"
 #include "lacuna/cli/configuration/registry.hpp"
+#include "lacuna/core/base/admission.hpp"
 #include "lacuna/core/base/error.hpp"
 #include "lacuna/core/base/function_ref.hpp"
 #include "lacuna/core/base/options.hpp"

@@ -7,10 +7,18 @@ import os
 from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
+from .frames import has_names, is_numbered, is_path, with_columns
 from .model import Model
 from .own import Basis, Regressor
 from .progress import progress_function
-from .records import Records, conditions, held_out, records_of
+from .records import (
+    Records,
+    conditions,
+    held_out,
+    is_list_of_records,
+    records_of,
+    says_time,
+)
 from .stages import Pipeline, Stage
 
 Texts = str | Sequence[str] | None
@@ -65,7 +73,10 @@ def model_pairs(models: list[tuple[str, ModelLike]]) -> list[tuple[str, Any]]:
 
 def bound(model: Any, data: Any, t: Any, u: Any, columns: Mapping[str, Any]) -> dict[str, Any]:
     """Records whose columns are those of a model: arrays have its names unless others are given."""
-    return records_of(data, t, u, None, _with_names_of(model, data, columns)).arguments()
+    named = _with_names_of(model, data, columns)
+    if u is not None and "names" not in columns and not isinstance(data, Records):
+        named = {"inputs": as_model(model).inputs, **named}
+    return records_of(data, t, u, None, named).arguments()
 
 
 def held_out_of(model: Any, data: Any, columns: Mapping[str, Any]) -> dict[str, Any]:
@@ -79,17 +90,25 @@ def conditions_of(model: Any, data: Any, columns: Mapping[str, Any]) -> dict[str
 
 
 def _with_names_of(model: Any, data: Any, columns: Mapping[str, Any]) -> Mapping[str, Any]:
-    one = data[0] if isinstance(data, list | tuple) and len(data) > 0 else data
-    is_array = hasattr(one, "__array__") and not hasattr(one, "columns")
-    if not is_array:
+    if data is None or isinstance(data, Records):
+        return columns
+    one = with_columns(data[0] if is_list_of_records(data) and len(data) > 0 else data)
+    if is_path(one) or (has_names(one) and not is_numbered(one)):
         return columns
     known = as_model(model)
     return {"states": known.states, "inputs": known.inputs, **columns}
 
 
-def input_arguments(inputs: Any) -> dict[str, Any]:
-    """A record that drives a model."""
-    records = inputs if isinstance(inputs, Records) else Records(inputs)
+def input_arguments(model: ModelLike, inputs: Any, t: Any) -> dict[str, Any]:
+    """A record that drives a model: arrays are its inputs in their order, at times t."""
+    if isinstance(inputs, Records):
+        records = inputs
+    elif is_path(inputs) or says_time(inputs):
+        records = Records(inputs)
+    elif has_names(inputs) and not is_numbered(inputs):
+        records = Records(inputs, t)
+    else:
+        records = Records(inputs, t, states=as_model(model).inputs)
     roles = records.arguments("input_paths", "input_tables")
     named = {"time": "input_time", "names": "names", "input_paths": "", "input_tables": ""}
     return {named[key] or key: value for key, value in roles.items() if key in named}

@@ -2,6 +2,12 @@
 
 from __future__ import annotations
 
+import importlib
+import os
+import sys
+import warnings
+from typing import Any
+
 
 class Error(Exception):
     """Anything that code, data or configuration can mend.
@@ -53,3 +59,35 @@ class NoAnswerError(Error, ArithmeticError):
 
 class LacunaWarning(UserWarning):
     """What a user should know of an answer: a note on the data, an equation that is empty."""
+
+
+def optional(module: str, extra: str) -> Any:
+    """A module that only some functions use.
+
+    Raises
+    ------
+    ImportError
+        With the extra of the distribution that brings it.
+    """
+    try:
+        return importlib.import_module(module)
+    except ModuleNotFoundError as error:
+        name = module.split(".")[0]
+        raise ImportError(
+            f"{name} is not installed; pip install 'lacuna-ode[{extra}]' brings it"
+        ) from error
+
+
+# Packages whose lines are not the user's: this one, and what calls estimators for users.
+_INSIDE = ("lacuna", "sklearn", "joblib")
+
+
+def warn(*texts: str) -> None:
+    """Warn of each text once, at the line of the user that made the call."""
+    files = [getattr(sys.modules.get(name), "__file__", None) for name in _INSIDE]
+    folders = tuple(os.path.dirname(file) + os.sep for file in files if file)
+    level, frame = 1, sys._getframe()
+    while frame.f_back is not None and frame.f_code.co_filename.startswith(folders):
+        level, frame = level + 1, frame.f_back
+    for text in dict.fromkeys(texts):
+        warnings.warn(text, LacunaWarning, stacklevel=level)

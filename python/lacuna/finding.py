@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import os
-import warnings
 from collections.abc import Mapping, Sequence
 from typing import Any, overload
 
@@ -26,7 +25,7 @@ from .arguments import (
     named_models,
     several,
 )
-from .errors import ArgumentError, LacunaWarning
+from .errors import ArgumentError, warn
 from .model import Model
 from .own import Effect
 from .records import held_out, records_of
@@ -144,8 +143,7 @@ def identify(
         **configuration(config, pipeline),
     }
     answer = called(_lacuna.identify, arguments, seed, threads, progress)
-    for text in answer.warnings:
-        warnings.warn(text, LacunaWarning, stacklevel=2)
+    warn(*answer.warnings)
     return Identification(answer, "lacuna.identify")
 
 

@@ -8,6 +8,7 @@ from collections.abc import Callable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 from . import _lacuna
+from .frames import framed, in_order
 
 if TYPE_CHECKING:
     import numpy as np
@@ -144,14 +145,14 @@ class Model:
         ----------
         t : float or array of shape (n,)
             Times.
-        x : array of shape (m,) or (n, m)
-            States, one row for each time.
-        u : array of shape (p,) or (n, p), optional
+        x : array of shape (m,) or (n, m), or a frame
+            States, one row for each time; of a frame the columns with their names.
+        u : array of shape (p,) or (n, p), or a frame, optional
             Inputs.
 
         Returns
         -------
-        array of the shape of x
+        array of the shape of x, or a frame with its index
             dx/dt in state units per time unit; of a map the next states.
 
         Raises
@@ -162,7 +163,10 @@ class Model:
         import numpy as np
 
         rates: NDArray[np.float64] = self._evaluator().rates(*self._points(t, x, u))
-        return rates.reshape(-1) if np.ndim(x) == 1 else rates
+        if np.ndim(x) == 1:
+            return rates.reshape(-1)
+        framed_rates: NDArray[np.float64] = framed(rates, x, list(self.states))
+        return framed_rates
 
     def jacobian(
         self, t: ArrayLike, x: ArrayLike, u: ArrayLike | None = None
@@ -244,11 +248,11 @@ class Model:
     def _points(self, t: ArrayLike, x: ArrayLike, u: ArrayLike | None) -> tuple[Any, Any, Any]:
         import numpy as np
 
-        states = np.atleast_2d(np.asarray(x, dtype=np.float64))
+        states = np.atleast_2d(np.asarray(in_order(x, self.states), dtype=np.float64))
         times = np.atleast_1d(np.asarray(t, dtype=np.float64))
         if u is None:
             return times, states, np.zeros((len(states), 0))
-        inputs = np.asarray(u, dtype=np.float64)
+        inputs = np.asarray(in_order(u, self.inputs), dtype=np.float64)
         if inputs.ndim < 2:
             inputs = np.broadcast_to(np.atleast_1d(inputs), (len(states), inputs.size))
         return times, states, inputs

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
@@ -25,7 +26,44 @@ class _Own:
         return type(self), self._given
 
 
-class Basis(_Own):
+class Composable:
+    """What is added to another and multiplied with it, where both are bases: a + b, a * b."""
+
+    def __add__(self, other: Any) -> Any:
+        return _composed("sum", self, other)
+
+    def __mul__(self, other: Any) -> Any:
+        return _composed("product", self, other)
+
+
+@dataclass(frozen=True)
+class _Composition:
+    """The terms of two bases of which one is written in Python, as a function."""
+
+    kind: str
+    first: Any
+    second: Any
+
+    def __call__(self, states: list[str], inputs: list[str]) -> list[str]:
+        first, second = (one.library(states, inputs) for one in (self.first, self.second))
+        written = {"type": "expressions"}
+        both = {"first": {**written, "terms": first}, "second": {**written, "terms": second}}
+        return _lacuna.library(self.kind, json.dumps(both), states, inputs)
+
+
+def _composed(kind: str, first: Any, second: Any) -> Any:
+    """A registered composition, or one in Python where a basis is written there."""
+    from .stages import Stage, classes
+
+    if not (hasattr(first, "library") and hasattr(second, "library")):
+        return NotImplemented  # one of them is no basis
+    if isinstance(first, Stage) and isinstance(second, Stage):
+        made = {one.name: one for one in classes().values() if one.kind == "basis"}
+        return made[kind](first=first, second=second)
+    return Basis(_Composition(kind, first, second), kind)
+
+
+class Basis(Composable, _Own):
     """Candidate terms made by a function.
 
     Parameters

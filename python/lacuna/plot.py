@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from typing import Any
 
+from .errors import optional
+
 # What a curve is, in every picture in the same colour (those of the report).
 _COLOURS = {
     "measured": "tab:gray",
@@ -20,7 +22,7 @@ def draw(figure: dict[str, Any], ax: Any = None) -> Any:
     -------
     matplotlib axes
     """
-    import matplotlib.pyplot as plt
+    plt = optional("matplotlib.pyplot", "plot")
 
     if ax is None:
         is_orbit = figure["kind"] == "orbits"

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import os
-import warnings
 from collections.abc import Mapping
 from typing import Any
 
@@ -17,7 +16,8 @@ from .arguments import (
     input_arguments,
     model_arguments,
 )
-from .errors import LacunaWarning, NoAnswerError
+from .errors import NoAnswerError, warn
+from .frames import flat, in_order, row_labels, seconds_since
 from .model import Model
 from .records import records_of
 from .results import Check, Comparison, Simulation, Sync
@@ -90,16 +90,19 @@ def simulate(
     ----------
     model : Model or path
         The model.
-    x0 : array of shape (m,), optional
-        Start, in the order of the model; what the model has as ``initial`` unless given.
+    x0 : array of shape (m,), series or mapping, optional
+        Start, in the order of the model or with the names of its states; what the model has as
+        ``initial`` unless given.
     t : array of shape (n,), optional
         Times of the output, in the model's unit; in place of ``t_start``, ``t_end``, ``dt``.
+        Dates are seconds from the first one of the inputs, else from their own.
     t_start, t_end, dt : float, optional
         First and last time and step of the output. Unless given the first is that of the
         model's initial values, else that of the inputs, else 0; the others are those of the
         inputs.
-    inputs : Records, path or frame, optional
-        A record with a column for each input of the model.
+    inputs : Records, path, frame or array of shape (n, p), optional
+        A record with a column for each input of the model; of an array, and of a frame without
+        times, the rows are at the times ``t``.
     noise : dict, optional
         Standard deviation of white noise that is added, by state or output.
     hold : dict, optional
@@ -112,7 +115,8 @@ def simulate(
     Returns
     -------
     Simulation
-        ``.t``, ``.x``, ``.names``.
+        ``.t``, ``.x``, ``.names``; the rows of ``.to_frame()`` have the labels of ``t`` or of the
+        inputs, where these are an index or a frame of pandas.
 
     Raises
     ------
@@ -121,14 +125,16 @@ def simulate(
     DataError, ConfigError, ModelError, ArgumentError, FileError
         With ``.where``, ``.problem`` and ``.remedy``.
     """
+    times = None if t is None else seconds_since(inputs, t)
+    start = None if x0 is None else in_order(x0, as_model(model).states)
     arguments = {
         **model_arguments(model),
-        **({} if inputs is None else input_arguments(inputs)),
-        "x0": "" if x0 is None else ",".join(repr(float(value)) for value in x0),
+        **({} if inputs is None else input_arguments(model, inputs, times)),
+        "x0": "" if start is None else ",".join(repr(float(value)) for value in flat(start)),
         "t_start": None if t_start is None else float(t_start),
         "t_end": None if t_end is None else float(t_end),
         "dt": dt,
-        "times": None if t is None else [float(time) for time in t],
+        "times": None if times is None else times.tolist(),
         "noise": [f"{name}={float(sd)!r}" for name, sd in (noise or {}).items()],
         "integrator": integrator,
     }
@@ -136,9 +142,8 @@ def simulate(
     orbit = called(_lacuna.simulate, arguments, seed, None, progress)
     if orbit.problem:
         raise NoAnswerError("simulate", orbit.problem, "end earlier or start elsewhere")
-    for text in orbit.notes:
-        warnings.warn(text, LacunaWarning, stacklevel=2)
-    return Simulation(orbit)
+    warn(*orbit.notes)
+    return Simulation(orbit, row_labels(t, inputs, len(orbit.time)))
 
 
 def compare(

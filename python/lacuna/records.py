@@ -2,21 +2,46 @@
 
 from __future__ import annotations
 
-import copyreg
 import os
 from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from . import _lacuna
-from .errors import ArgumentError, DataError
+from .errors import ArgumentError
+from .frames import (
+    bare,
+    check_index,
+    columns_of,
+    columns_of_array,
+    has_names,
+    is_numbered,
+    is_path,
+    labels_of,
+    named_time,
+    time_index_of,
+    twice,
+    with_columns,
+)
+from .tables import Part, free_names, named_time_of, table_of, with_time
 
 if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import NDArray
 
-    Column = NDArray[np.float64]
+    Array = NDArray[np.float64]
 
 Names = str | Sequence[str] | None
+
+
+@dataclass
+class Samples:
+    """One record as arrays: times or the step, states (n x m), inputs, derivatives."""
+
+    time: Array | float
+    states: Array
+    inputs: Array | None
+    derivatives: Array | None
 
 
 class Records:
@@ -34,11 +59,13 @@ class Records:
         and missing values are gaps.
     t : array of shape (n,), float, list or str, optional
         Times, or the sampling step; in a list for each record. The name of the time column where
-        columns have names. A datetime index is the time, in seconds from the first one.
-    u : array of shape (n, p), optional
-        Inputs beside an array of states, or a list.
-    x_dot : array of shape (n, m), optional
-        Measured derivatives of the states, or a list.
+        columns have names. Unless given, an index of dates (in seconds from the first one) or of
+        numbers with a name or with decimals is the time, else the column ``t`` or ``time``, else
+        the first one.
+    u : array of shape (n, p), frame, series, or names of columns, optional
+        Inputs beside the states, or a list. Frames and series keep their names.
+    x_dot : array of shape (n, m), frame, series, or names of columns, optional
+        Measured derivatives of the states, or a list; columns called as the states are theirs.
     states, inputs, derivatives : str or list of str, optional
         Columns of a frame or a file with this role; names for the columns of arrays.
     time_unit : str, optional
@@ -94,25 +121,24 @@ class Records:
         }
         self._paths: list[str] = []
         self._tables: list[_lacuna.Table] = []
-        records = list(data) if _is_list_of_records(data) else [data]
-        if t is None:
-            records = [_with_coordinates(record) for record in records]
+        self._labels: list[dict[str, Any]] = []
+        records = [with_columns(one) for one in (data if is_list_of_records(data) else [data])]
         if not records:
             raise ArgumentError("data", "there is no record", "give at least one")
-        is_array = not any(isinstance(one, str | os.PathLike) or _has_names(one) for one in records)
-        if not is_array and (u is not None or x_dot is not None):
-            raise ArgumentError(
-                "u, x_dot",
-                "the records have columns with names",
-                "say which they are: inputs=, derivatives=",
-            )
-        if all(isinstance(record, str | os.PathLike) for record in records):
+        u, x_dot = self._take_names("inputs", u), self._take_names("derivatives", x_dot)
+        if all(is_path(record) for record in records):
+            if u is not None or x_dot is not None:
+                raise ArgumentError(
+                    "u, x_dot",
+                    "the records are files, whose columns have names",
+                    "say which they are: inputs=, derivatives=",
+                )
             self._paths = [os.fspath(record) for record in records]
-            self._take_time_name(t)
-        elif all(_has_names(record) for record in records):
-            self._take_frames(records, t, units or {}, source)
+            self._take_time_or_step(t)
+        elif any(is_path(record) for record in records):
+            raise ArgumentError("data", "files and arrays are mixed", "give files or arrays")
         else:
-            self._take_arrays(records, t, u, x_dot, units or {}, source)
+            self._take(records, t, u, x_dot, units or {}, source)
 
     def arguments(self, paths: str = "paths", tables: str = "tables") -> dict[str, Any]:
         """The records and the roles of their columns, as the extension takes them."""
@@ -123,67 +149,194 @@ class Records:
         """The records alone, under these names."""
         return {paths: self._paths} if self._paths else {tables: self._tables}
 
-    def _take_time_name(self, t: Any) -> None:
+    def state_labels(self, number: int) -> list[Any]:
+        """What a frame calls the columns that are its states, in the order of the states."""
+        return [self._labels[number][name] for name in self._states(number)]
+
+    def call_states(self, names: Sequence[str]) -> None:
+        """Give the states other names, in their order.
+
+        Raises
+        ------
+        ArgumentError
+            Another number of names than of states.
+        """
+        known = self._states(0)
+        if len(names) != len(known):
+            raise _unlike("names", len(names), len(known), "states")
+        pairs = zip(names, known, strict=True)
+        self._roles["names"] += [f"{new}={old}" for new, old in pairs if new != old]
+
+    def samples(self) -> list[Samples]:
+        """Arrays and frames as arrays, with a column for each name of a role."""
+        import numpy as np
+
+        found = []
+        for number, table in enumerate(self._tables):
+            values: Array = np.asarray(table.values)
+            names = list(table.names)
+            roles = [self._states(number), self._named("inputs"), self._named("derivatives")]
+            states, inputs, derivatives = (
+                values[:, [names.index(name) for name in role]] if role else None for role in roles
+            )
+            time = self._time_name(number)
+            assert states is not None
+            times = self._roles["step"] if time is None else values[:, names.index(time)]
+            found.append(Samples(times, states, inputs, derivatives))
+        return found
+
+    def _take_names(self, role: str, given: Any) -> Any:
+        """Names in the place of columns say which columns have the role."""
+        names = [given] if isinstance(given, str) else given
+        if not isinstance(names, list | tuple) or not names:
+            return given
+        if not all(isinstance(name, str) for name in names):
+            return given
+        self._roles[role] = ",".join(names)
+        return None
+
+    def _take_time_or_step(self, t: Any) -> None:
         if isinstance(t, str):
             self._roles["time"] = t
         elif t is not None:
             self._roles["step"] = float(t)
 
-    def _take_frames(
-        self, frames: list[Any], t: Any, units: Mapping[str, str], source: str | None
-    ) -> None:
-        self._take_time_name(t)
-        for number, frame in enumerate(frames):
-            columns = {**(_time_index_of(frame) if t is None else {}), **_columns_of(frame)}
-            self._tables.append(
-                _table(_called(source or "frame", number, len(frames)), columns, units)
-            )
-
-    def _take_arrays(
+    def _take(
         self,
-        arrays: list[Any],
+        records: list[Any],
         t: Any,
         u: Any,
         x_dot: Any,
         units: Mapping[str, str],
         source: str | None,
     ) -> None:
-        count = len(arrays)
-        times, step = _times_of(t, count)
-        if step is not None:
-            self._roles["step"] = step
-        for number, array in enumerate(arrays):
-            place = _called(source or "array", number, count)
-            blocks = {
-                "states": _matrix(array, f"{place}: states"),
-                "inputs": _matrix(_one_of(u, number, count, "u"), f"{place}: u"),
-                "derivatives": _matrix(_one_of(x_dot, number, count, "x_dot"), f"{place}: x_dot"),
-            }
-            columns: dict[str, Any] = {} if times is None else {"t": times[number]}
-            for role, first in (("states", "x"), ("inputs", "u"), ("derivatives", "d_x")):
-                for name, values in self._named(role, first, blocks[role], place):
-                    if name in columns:
-                        raise ArgumentError(
-                            place, f"two columns are called '{name}'", "give each its own name"
-                        )
-                    columns[name] = values
+        count = len(records)
+        times = _times_of(t, count)
+        if times is None:
+            self._take_time_or_step(t)
+        for number, record in enumerate(records):
+            place = _called(source or ("frame" if has_names(record) else "array"), number, count)
+            parts = self._own(record, place)
             if times is not None:
-                self._roles["time"] = "t"
-            self._tables.append(_table(place, columns, units))
+                parts = with_time(parts, "t", times[number], place)
+            elif index := self._index(record, t, parts, place):
+                parts = with_time(parts, *index, place)
+            elif t is None and parts[0].role == "states":
+                raise ArgumentError("t", "arrays have no time", "give the times or the step")
+            elif isinstance(t, str) and not has_names(record):
+                raise ArgumentError("t", "arrays have no columns with names", "give the times")
+            parts += self._beside("inputs", "u", _one_of(u, number, count, "u"), record, place)
+            rates = _one_of(x_dot, number, count, "x_dot")
+            taken = [self._roles["trajectory"], *self._named("inputs")]
+            free = [name for name in free_names(parts) if name not in taken]
+            states = self._named("states") or free
+            parts += self._beside("derivatives", "d_x", rates, record, place, states)
+            self._add(place, parts, units)
 
-    def _named(self, role: str, first: str, block: Any, place: str) -> list[tuple[str, Any]]:
-        """Columns of a block with the names that are given for them, or x0, x1, ..."""
-        if block is None:
+    def _own(self, record: Any, place: str) -> list[Part]:
+        """The columns of a record; those of arrays, and of frames without names, are states."""
+        if not has_names(record):
+            return self._called("states", "x", columns_of_array(record, f"{place}: states"), place)
+        labels = labels_of(record)
+        if is_numbered(record):
+            columns = [record[label] for label in labels]
+            parts = self._called("states", "x", columns, place)
+        else:
+            parts = [Part("", *pair) for pair in columns_of(record, place)]
+        for part, label in zip(parts, labels, strict=True):
+            part.label = label
+        return parts
+
+    def _index(self, record: Any, t: Any, parts: list[Part], place: str) -> tuple[str, Any] | None:
+        """Name and values of the index of a frame, where it is the time."""
+        index = getattr(record, "index", None)
+        if isinstance(t, str):
+            is_meant = getattr(index, "name", None) == t and all(part.label != t for part in parts)
+            return (t, index) if is_meant else None
+        if t is not None or not has_names(record):
+            return None
+        return time_index_of(record, [part.header for part in parts], place)
+
+    def _beside(
+        self,
+        role: str,
+        first: str,
+        given: Any,
+        record: Any,
+        place: str,
+        states: Sequence[str] = (),
+    ) -> list[Part]:
+        """Columns that are given beside a record, with their own names where they have them."""
+        place = f"{place}: {'u' if role == 'inputs' else 'x_dot'}"
+        given = with_columns(given)
+        if given is None:
             return []
-        width = block.shape[1]
+        if not has_names(given) or is_numbered(given):
+            return self._called(role, first, columns_of_array(given, place), place)
+        check_index(given, record, place)
+        columns = dict(columns_of(given, place))
+        time = named_time(list(columns))
+        if time is not None and bare(list(columns)[time]) not in self._named(role):
+            del columns[list(columns)[time]]
+        by_name = {bare(name): (name, values) for name, values in columns.items()}
+        chosen = self._named(role) or list(states)
+        if chosen and set(chosen) <= set(by_name):
+            by_name = {name: by_name[name] for name in chosen}
+        elif self._named(role):
+            return self._called(role, first, list(columns.values()), place)
+        if role == "derivatives":  # called as their states, whose units are others
+            own = {name: f"d_{name}" if name in states else by_name[name][0] for name in by_name}
+            return [Part(role, own[name], values) for name, (_, values) in by_name.items()]
+        return [Part(role, name, values) for name, values in by_name.values()]
+
+    def _called(self, role: str, first: str, columns: list[Any], place: str) -> list[Part]:
+        """Columns with the names that are given for them, or x0, x1, ..."""
+        names = self._named(role) or [f"{first}{k}" for k in range(len(columns))]
+        if len(names) != len(columns):
+            raise _unlike(place, len(names), len(columns), role)
+        return [Part(role, name, values) for name, values in zip(names, columns, strict=True)]
+
+    def _add(self, place: str, parts: list[Part], units: Mapping[str, str]) -> None:
+        """Make the table of a record, and note which of its columns have which role."""
+        headers = [part.header for part in parts]
+        for name in headers:
+            if headers.count(name) > 1:
+                raise twice(place, name)
+        table = table_of(place, [(part.header, part.values) for part in parts], units)
+        names = list(table.names)
+        for role in ("states", "inputs", "derivatives"):
+            own = [name for name, part in zip(names, parts, strict=True) if part.role == role]
+            if own:
+                self._roles[role] = ",".join(own)
+        if parts[0].role == "time" and named_time(headers) != 0:
+            self._roles["time"] = names[0]
+        self._tables.append(table)
+        pairs = zip(names, parts, strict=True)
+        self._labels.append({name: part.label for name, part in pairs})
+
+    def _named(self, role: str) -> list[str]:
+        """The names that a role has."""
         given = self._roles[role]
-        names = given.split(",") if given else [f"{first}{k}" for k in range(width)]
-        if len(names) != width:
-            raise ArgumentError(
-                place, f"{len(names)} names for {width} {role}", "give a name for each column"
-            )
-        self._roles[role] = ",".join(names)
-        return [(name, block[:, k]) for k, name in enumerate(names)]
+        return given.split(",") if given else []
+
+    def _time_name(self, number: int) -> str | None:
+        """The column of a record that is its time; none where the step is given."""
+        if "step" in self._roles:
+            return None
+        table = self._tables[number]
+        return self._roles.get("time") or table.names[named_time_of(table) or 0]
+
+    def _states(self, number: int) -> list[str]:
+        """Names of the columns of a record that are states."""
+        table = self._tables[number]
+        if self._named("states"):
+            return self._named("states")
+        time = self._time_name(number)
+        unused = named_time_of(table) if time is None else None
+        others = {
+            time, self._roles["trajectory"], *self._named("inputs"), *self._named("derivatives")
+        }  # fmt: skip
+        return [name for k, name in enumerate(table.names) if name not in others and k != unused]
 
 
 def records_of(data: Any, t: Any, u: Any, x_dot: Any, columns: Mapping[str, Any]) -> Records:
@@ -221,168 +374,41 @@ def _called(source: str, number: int, count: int) -> str:
     return source if count == 1 else f"{source} {number + 1}"
 
 
-def _is_frame(data: Any) -> bool:
-    return hasattr(data, "columns") and hasattr(data, "__getitem__")
-
-
-def _is_xarray(data: Any) -> bool:
-    return hasattr(data, "data_vars") and hasattr(data, "coords")
-
-
-def _with_coordinates(data: Any) -> Any:
-    """A series with an index, or an array of xarray, as the frame or data set of its columns."""
-    if hasattr(data, "to_frame") and hasattr(data, "index") and not _is_frame(data):
-        return data.to_frame("x" if data.name is None else data.name)
-    if hasattr(data, "to_dataset") and not _is_xarray(data):
-        if data.ndim == 2:
-            return data.to_dataset(dim=data.dims[1])
-        return data.to_dataset(name="x" if data.name is None else data.name)
-    return data
-
-
-def _has_names(data: Any) -> bool:
-    return (
-        isinstance(data, Mapping)
-        or _is_frame(data)
-        or _is_xarray(data)
-        or getattr(getattr(data, "dtype", None), "names", None) is not None
-    )
-
-
-def _is_list_of_records(data: Any) -> bool:
+def is_list_of_records(data: Any) -> bool:
+    """Whether a list has records in it, not rows."""
     if not isinstance(data, list | tuple):
         return False
-    return all(
-        isinstance(one, str | os.PathLike) or _has_names(one) or hasattr(one, "__array__")
-        for one in data
+    return all(is_path(one) or has_names(one) or getattr(one, "ndim", 0) > 0 for one in data)
+
+
+def says_time(record: Any) -> bool:
+    """Whether a frame has a time, by its index or by the name of a column."""
+    record = with_columns(record)
+    if not has_names(record):
+        return False
+    headers = [name for name, _ in columns_of(record, "frame")]
+    return time_index_of(record, headers, "frame") is not None or named_time(headers) is not None
+
+
+def _unlike(place: str, names: int, columns: int, role: str) -> ArgumentError:
+    return ArgumentError(
+        place, f"{names} names for {columns} {role}", "give a name for each column"
     )
-
-
-def _columns_of(frame: Any) -> dict[str, Any]:
-    """Columns of a frame by name, with the unit in square brackets."""
-    if _is_xarray(frame):
-        variables = {name: frame[name] for name in [*frame.coords, *frame.data_vars]}
-        return {_header(name, one.attrs.get("units")): one for name, one in variables.items()}
-    if isinstance(frame, Mapping):
-        return {str(name): values for name, values in frame.items()}
-    if not _is_frame(frame):
-        return {name: frame[name] for name in frame.dtype.names}
-    attributes = getattr(frame, "attrs", {})
-    units = attributes.get("units", {}) if isinstance(attributes, Mapping) else {}
-    return {_header(name, units.get(name)): frame[name] for name in frame.columns}
-
-
-def _time_index_of(frame: Any) -> dict[str, Any]:
-    """The index of a frame as a column, where it is a time: dates, or numbers with a name."""
-    index = getattr(frame, "index", None)
-    kind = getattr(getattr(index, "dtype", None), "kind", "")
-    if kind in ("m", "M"):
-        return {"t [s]": index}
-    name = getattr(index, "name", None)
-    return {name: index} if kind == "f" and isinstance(name, str) else {}
-
-
-def _header(name: Any, unit: Any) -> str:
-    return f"{name} [{unit}]" if unit else str(name)
-
-
-def _column(values: Any, place: str) -> Column:
-    """One column as float64; gaps are NaN, dates are seconds from the first one."""
-    import numpy as np
-
-    if isinstance(values, np.ma.MaskedArray):
-        masked: Any = values
-        values = masked.astype(np.float64).filled(np.nan)
-    kind = getattr(getattr(values, "dtype", None), "kind", "")
-    if kind in ("m", "M"):
-        return _seconds(np.asarray(values, dtype=f"{kind}8[ns]"))
-    if not isinstance(values, np.ndarray) and hasattr(values, "to_numpy"):
-        try:
-            values = values.to_numpy(dtype="float64", na_value=np.nan)
-        except (TypeError, ValueError, AttributeError):
-            values = values.to_numpy()
-    array = np.asarray(values)
-    if array.dtype.kind in "mM":
-        return _seconds(array)
-    if array.dtype.kind == "c":
-        raise DataError(place, "the values are complex", "give real and imaginary part as columns")
-    try:
-        column = np.asarray(array, dtype=np.float64)
-    except (TypeError, ValueError):
-        raise DataError(place, "the values are not numbers", "leave the column out") from None
-    if column.ndim != 1:
-        raise DataError(place, f"it has {column.ndim} dimensions", "give one value for each sample")
-    return column
-
-
-def _seconds(times: NDArray[Any]) -> Column:
-    import numpy as np
-
-    if times.size == 0:
-        return np.zeros(0)
-    elapsed = times - times[0] if times.dtype.kind == "M" else times
-    return np.asarray(elapsed / np.timedelta64(1, "s"), dtype=np.float64)
-
-
-def _matrix(values: Any, place: str) -> Any:
-    """An array of one column for each variable; none where there are none."""
-    import numpy as np
-
-    if values is None:
-        return None
-    array = values if isinstance(values, np.ma.MaskedArray) else np.asarray(values)
-    if array.ndim == 1:
-        array = array.reshape(-1, 1)
-    if array.ndim != 2:
-        raise ArgumentError(
-            place, f"the array has {array.ndim} dimensions", "give samples x variables"
-        )
-    return array
 
 
 def _one_of(values: Any, number: int, count: int, name: str) -> Any:
     """What belongs to one record: an element of a list, or all where there is one record."""
-    if values is None or (count == 1 and not _is_list_of_records(values)):
+    if values is None or (count == 1 and not is_list_of_records(values)):
         return values
     if not isinstance(values, list | tuple) or len(values) != count:
         raise ArgumentError(name, f"there are {count} records", "give a list with one for each")
     return values[number]
 
 
-def _times_of(t: Any, count: int) -> tuple[list[Any] | None, float | None]:
-    """Times of each record, or the step."""
+def _times_of(t: Any, count: int) -> list[Any] | None:
+    """Times of each record; nothing where the step, a name or nothing is given."""
     import numpy as np
 
-    if t is None:
-        raise ArgumentError("t", "arrays have no time", "give the times or the sampling step")
-    if isinstance(t, str):
-        raise ArgumentError("t", "arrays have no columns with names", "give the times themselves")
-    if not isinstance(t, list | tuple):
-        return (None, float(t)) if np.ndim(t) == 0 else ([t] * count, None)
-    return [_one_of(t, number, count, "t") for number in range(count)], None
-
-
-def _table(place: str, columns: Mapping[str, Any], units: Mapping[str, str]) -> _lacuna.Table:
-    numbers = {name: _column(values, f"{place}: {name}") for name, values in columns.items()}
-    lengths = {len(values) for values in numbers.values()}
-    if len(lengths) != 1:
-        raise ArgumentError(place, f"columns of {sorted(lengths)} values", "give one length")
-    bare = [name.split(" [")[0] for name in numbers]
-    table = _lacuna.Table(
-        place, list(numbers), [units.get(name, "") for name in bare], lengths.pop()
-    )
-    for number, values in enumerate(numbers.values()):
-        table.fill(number, values)
-    return table
-
-
-def _parts(table: _lacuna.Table) -> tuple[Any, ...]:
-    """What a table is made again of, in another process."""
-    import numpy as np
-
-    headers = map(_header, table.headers, table.units)
-    columns = np.asarray(table.values).T
-    return _table, (table.source, dict(zip(headers, columns, strict=True)), {})
-
-
-copyreg.pickle(_lacuna.Table, _parts)
+    if isinstance(t, list | tuple):
+        return [_one_of(t, number, count, "t") for number in range(count)]
+    return None if t is None or isinstance(t, str) or np.ndim(t) == 0 else [t] * count

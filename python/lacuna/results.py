@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from . import _lacuna
-from .errors import ConfigError, Error
+from .errors import ConfigError, Error, optional
 from .model import Model
 
 if TYPE_CHECKING:
@@ -38,9 +38,7 @@ class Rows(list[Fields]):
 
     def to_frame(self) -> Any:
         """The rows as a pandas data frame; pandas has to be installed."""
-        import pandas
-
-        return pandas.DataFrame([dict(row) for row in self])
+        return optional("pandas", "frames").DataFrame([dict(row) for row in self])
 
 
 def _as_values(value: Any) -> Any:
@@ -295,8 +293,9 @@ class Simulation:
         Names of the columns of ``x``.
     """
 
-    def __init__(self, orbit: _lacuna.Orbit | Orbit) -> None:
+    def __init__(self, orbit: _lacuna.Orbit | Orbit, index: Any = None) -> None:
         self._orbit: Any = orbit
+        self._index = index
         self.names: list[str] = [name for name, _ in orbit.columns]
         self.units: dict[str, str] = {name: unit for name, unit in orbit.columns if unit}
         self.time_unit: str = orbit.time_unit
@@ -327,18 +326,19 @@ class Simulation:
         return str(self._orbit.csv())
 
     def to_frame(self) -> Any:
-        """The columns as a pandas data frame with the time as index."""
-        import pandas
-
+        """The columns as a pandas data frame with the time as index, or that of the inputs."""
+        pandas = optional("pandas", "frames")
         frame = pandas.DataFrame(self.x.copy(), columns=self.names)
-        frame.index = pandas.Index(self.t.copy(), name="t")
+        is_own = self._index is not None
+        frame.index = self._index if is_own else pandas.Index(self.t.copy(), name="t")
         frame.attrs["units"] = dict(self.units)
         return frame
 
-    def __reduce__(self) -> tuple[type[Simulation], tuple[Orbit]]:
+    def __reduce__(self) -> tuple[type[Simulation], tuple[Orbit, Any]]:
         orbit = self._orbit
         return Simulation, (
             Orbit(orbit.time, orbit.states, orbit.columns, orbit.time_unit, orbit.csv()),
+            self._index,
         )
 
     def __repr__(self) -> str:

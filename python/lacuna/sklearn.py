@@ -3,21 +3,27 @@
 from __future__ import annotations
 
 import json
-import warnings
 from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+
+from .errors import ArgumentError, optional, warn
+
+optional("sklearn", "sklearn")
+
+# ruff: noqa: E402 (that it is not installed is said first)
 from sklearn.base import BaseEstimator, RegressorMixin
 from sklearn.metrics import r2_score
 from sklearn.utils.validation import check_is_fitted, validate_data
 
 from . import _lacuna
-from .errors import ArgumentError, LacunaWarning
 from .finding import identify
+from .frames import framed, in_order, is_frame, is_pandas, labels_of, row_labels, seconds_since
 from .model import Model
 from .proving import simulate
-from .records import Records
+from .records import Records, Samples, says_time
+from .results import Simulation
 from .stages import Pipeline, Stage
 
 if TYPE_CHECKING:
@@ -40,11 +46,13 @@ class ODERegressor(RegressorMixin, BaseEstimator):  # type: ignore[misc]
     options : dict, optional
         Single values by path, as of `lacuna.identify`.
     feature_names : list of str, optional
-        Names of the states; those of a frame, or x0, x1, ..., unless given.
+        Names of the states, and behind them of inputs; those of frames, or x0, x1, ..., u0, ...,
+        unless given.
     discrete_time : bool
         Find a map x[n+1] = f(x[n]).
     t_default : float
-        Sampling step where `fit` gets no times.
+        Sampling step where `fit` gets no times: neither ``t=``, nor a frame with a time as its
+        index or with a column ``t`` or ``time``.
     seed : int
         Start of everything random.
     threads : int, optional
@@ -58,6 +66,8 @@ class ODERegressor(RegressorMixin, BaseEstimator):  # type: ignore[misc]
         The whole answer.
     n_features_in_ : int
         Number m of states.
+    input_names_in_ : list of str
+        Columns of frames that are inputs, where ``u=`` names them.
 
     Notes
     -----
@@ -98,14 +108,15 @@ class ODERegressor(RegressorMixin, BaseEstimator):  # type: ignore[misc]
 
         Parameters
         ----------
-        X : array of shape (n, m), or a list of them
-            Samples of m states; a list has one record in each.
+        X : array of shape (n, m), frame, or a list of them
+            Samples of m states; a list has one record in each. A frame may have the time (its
+            index or a column) and columns of inputs beside the states.
         y : ignored
-        t : array of shape (n,) or float, or a list, optional
-            Times, or the sampling step.
-        u : array of shape (n, p), or a list, optional
+        t : array of shape (n,), float or str, or a list, optional
+            Times, or the sampling step, or the column of a frame that is the time.
+        u : array of shape (n, p), frame or series, or a list; or names of columns, optional
             Inputs.
-        x_dot : array of shape (n, m), or a list, optional
+        x_dot : array of shape (n, m) or frame, or a list; or names of columns, optional
             Measured derivatives.
 
         Raises
@@ -114,23 +125,9 @@ class ODERegressor(RegressorMixin, BaseEstimator):  # type: ignore[misc]
             As of `lacuna.identify`; each is a `ValueError`.
         """
         if t is None and _increases(y):
-            warnings.warn(
-                "y increases as times do and is not used; times are given as t=",
-                LacunaWarning,
-                stacklevel=2,
-            )
-        several = _several(X)
-        parts = [
-            self._checked(one, number == 0) for number, one in enumerate(X if several else [X])
-        ]
-        names: Any = self.feature_names or getattr(self, "feature_names_in_", ())
-        records = Records(
-            parts if several else parts[0],
-            self.t_default if t is None else t,
-            u,
-            x_dot,
-            states=[str(name) for name in names] or None,
-        )
+            warn("y increases as times do and is not used; times are given as t=")
+        self.input_names_in_ = _names_in(u)
+        records, _ = self._read(X, t, u, x_dot, is_first=True)
         self.result_ = identify(
             records,
             preset=self.preset,
@@ -149,13 +146,16 @@ class ODERegressor(RegressorMixin, BaseEstimator):  # type: ignore[misc]
         return self
 
     def predict(self, X: Any, u: Any = None, t: Any = 0.0) -> Any:
-        """Rates at states (of a map: the next samples), of the shape of X; a list of a list."""
+        """Rates at states (of a map: the next samples), of the shape of X; a list of a list.
+
+        A frame of pandas gives a frame with its index and the columns of the states.
+        """
         check_is_fitted(self)
         if _several(X):
             return [self.predict(*record) for record in _records(X, u, t)]
-        states = self._checked(X, False)
-        inputs = u if u is None or np.ndim(u) != 1 else np.asarray(u).reshape(len(states), -1)
-        return self.model_(t, states, inputs)
+        records, (states,) = self._read(X, None, u)
+        rates = self.model_(t, states, records.samples()[0].inputs)
+        return framed(rates, X, records.state_labels(0))
 
     def simulate(
         self,
@@ -163,19 +163,24 @@ class ODERegressor(RegressorMixin, BaseEstimator):  # type: ignore[misc]
         t: Any,
         u: Any = None,
         integrator: str = "auto",
-    ) -> Array:
+    ) -> Any:
         """States of shape (n, m) from a start.
 
         Parameters
         ----------
-        x0 : array of shape (m,)
+        x0 : array of shape (m,), or a series with the names of the states
             Start.
         t : array of shape (n,) or int
             Times; of a map their number.
-        u : array of shape (n, p) or function of time, optional
+        u : array of shape (n, p), frame, series or function of time, optional
             Inputs: samples at these times.
         integrator : str, optional
             Method, see ``lacuna.list_parts("integrator")``.
+
+        Returns
+        -------
+        array, or a frame
+            A frame of pandas where the start is a row of one, or times or inputs have its index.
 
         Raises
         ------
@@ -187,17 +192,22 @@ class ODERegressor(RegressorMixin, BaseEstimator):  # type: ignore[misc]
         check_is_fitted(self)
         if np.ndim(t) == 0 and not self.discrete_time:
             raise ArgumentError("t", "a flow has no number of steps", "give the times")
-        times = np.arange(int(t)) if np.ndim(t) == 0 else np.asarray(t)
-        inputs = None
-        if u is not None:
-            given = np.array([np.atleast_1d(u(time)) for time in times]) if callable(u) else u
-            columns = np.asarray(given).reshape(len(times), -1).T
-            named = dict(zip(self.model_.inputs, columns, strict=True))
-            inputs = Records({"t": times, **named}, "t")
-        return simulate(self.model_, x0, times, inputs=inputs, integrator=integrator).x
+        times = np.arange(int(t)) if np.ndim(t) == 0 else t
+        inputs = in_order(u, self.model_.inputs)
+        if callable(u):
+            inputs = np.array([np.atleast_1d(u(time)) for time in np.asarray(times)])
+        run = simulate(
+            self.model_, x0, seconds_since(u, times), inputs=inputs, integrator=integrator
+        )
+        labels = row_labels(times, None, len(run)), row_labels(None, u, len(run))
+        index = next((label for label in labels if label is not None), None)
+        is_of_pandas = index is not None or hasattr(x0, "iloc")
+        return Simulation(run._orbit, index).to_frame() if is_of_pandas else run.x
 
     def differentiate(self, X: Any, t: Any = None) -> Any:
         """Rates of the samples by the estimator's method, of the shape of X; a list of a list.
+
+        A frame of pandas gives a frame, as of `predict`.
 
         Raises
         ------
@@ -208,15 +218,9 @@ class ODERegressor(RegressorMixin, BaseEstimator):  # type: ignore[misc]
             raise RuntimeError("the samples of a map have no rates")
         if _several(X):
             return [self.differentiate(*record) for record in _records(X, t)]
-        states = self._checked(X, False)
-        step = self.t_default if t is None else t
-        times = np.arange(len(states)) * float(step) if np.ndim(step) == 0 else np.asarray(step)
-        method = self.differentiation_method or "finite-differences"
-        name, options = (
-            (method.name, method.to_dict()) if isinstance(method, Stage) else (method, {})
-        )
-        text = json.dumps(options)
-        return np.asarray(_lacuna.derivatives(name, text, times.astype(float), states))
+        records, (states,) = self._read(X, t)
+        rates = self._differentiated(states, records.samples()[0])
+        return framed(rates, X, records.state_labels(0)) if is_pandas(X) else rates
 
     def score(
         self,
@@ -236,12 +240,69 @@ class ODERegressor(RegressorMixin, BaseEstimator):  # type: ignore[misc]
 
     def _rates(self, X: Any, t: Any, u: Any, x_dot: Any) -> tuple[Array, Array]:
         """Rates of the samples, and those of the model there."""
-        states = self._checked(X, False)
+        records, (states,) = self._read(X, t, u, x_dot)
+        (record,) = records.samples()
         if self.discrete_time and x_dot is None:
-            inputs = None if u is None else np.asarray(u)[:-1]
-            return states[1:], self.predict(states[:-1], inputs)
-        target = self.differentiate(states, t) if x_dot is None else np.asarray(x_dot)
-        return target.reshape(states.shape), self.predict(states, u)
+            inputs = None if record.inputs is None else record.inputs[:-1]
+            return states[1:], self.model_(0.0, states[:-1], inputs)
+        target = record.derivatives
+        if target is None:
+            target = self._differentiated(states, record)
+        return target, self.model_(0.0, states, record.inputs)
+
+    def _differentiated(self, states: Array, record: Samples) -> Array:
+        method = self.differentiation_method or "finite-differences"
+        name, options = (
+            (method.name, method.to_dict()) if isinstance(method, Stage) else (method, {})
+        )
+        times: Any = record.time
+        if not isinstance(times, np.ndarray):
+            times = np.arange(len(states)) * times
+        return np.asarray(_lacuna.derivatives(name, json.dumps(options), times, states))
+
+    def _read(
+        self, X: Any, t: Any = None, u: Any = None, x_dot: Any = None, is_first: bool = False
+    ) -> tuple[Records, list[Array]]:
+        """The records, and their states as scikit-learn has checked them."""
+        parts = list(X) if _several(X) else [X]
+        firsts = [is_first and number == 0 for number in range(len(parts))]
+        states: list[Any] = [
+            part if is_frame(part) else self._checked(part, first)
+            for part, first in zip(parts, firsts, strict=True)
+        ]
+        is_said = t is not None or all(is_frame(part) and says_time(part) for part in parts)
+        if u is None and not is_first:
+            u = self._inputs_in(parts)
+        names = [str(name) for name in self.feature_names or ()]
+        count = 0 if is_frame(states[0]) else states[0].shape[1]
+        behind = names[count:] if count else []
+        records = Records(
+            states if _several(X) else states[0],
+            t if is_said else self.t_default,
+            u,
+            x_dot,
+            states=names[:count] or None,
+            inputs=None if u is None else (behind if is_first else self.model_.inputs) or None,
+        )
+        for number, part in enumerate(states):
+            if not is_frame(part):
+                continue
+            labels = records.state_labels(number)
+            states[number] = self._checked(part[labels], firsts[number])
+            if firsts[number] and not is_said and _increases(states[number][:, 0]):
+                warn(
+                    f"column '{labels[0]}' increases as times do and is taken as a state; "
+                    f"t='{labels[0]}' makes it the time"
+                )
+            if firsts[number] and names:
+                records.call_states(names[: len(labels)])
+        return records, states
+
+    def _inputs_in(self, parts: list[Any]) -> list[str] | None:
+        """The columns of frames that were inputs in `fit`."""
+        names = getattr(self, "input_names_in_", [])
+        are_there = all(is_frame(part) and set(names) <= set(labels_of(part)) for part in parts)
+        return names if names and are_there else None
 
     @property
     def complexity(self) -> int:
@@ -296,14 +357,22 @@ def _several(X: Any) -> bool:
     return isinstance(X, list) and all(hasattr(one, "__array__") for one in X)
 
 
+def _names_in(u: Any) -> list[str]:
+    """Names of columns in the place of inputs."""
+    names = [u] if isinstance(u, str) else u
+    is_list = isinstance(names, list | tuple) and all(isinstance(name, str) for name in names)
+    return list(names) if is_list else []
+
+
 def _records(*lists: Any) -> list[tuple[Any, ...]]:
     """What belongs to each record: elements of lists, or what all have."""
     count = len(lists[0])
-    for given in lists:
-        if isinstance(given, list) and len(given) != count:
+    is_list = [isinstance(given, list) and not _names_in(given) for given in lists]
+    for given, splits in zip(lists, is_list, strict=True):
+        if splits and len(given) != count:
             raise ArgumentError("X", f"there are {count} records", "give a list with one for each")
     return [
-        tuple(given[k] if isinstance(given, list) else given for given in lists)
+        tuple(given[k] if splits else given for given, splits in zip(lists, is_list, strict=True))
         for k in range(count)
     ]
 

@@ -4,17 +4,18 @@ from __future__ import annotations
 
 import json
 import keyword
+from collections.abc import Sequence
 from typing import Any
 
 from . import _lacuna
-from .own import Basis, Regressor
+from .own import Basis, Composable, Regressor
 
 # The places of a pipeline, by the kind of part that stands there.
 _PLACES = ("basis", "formulation", "filter", "regressor", "pruner", "refiner")
 _KINDS = (*_PLACES, "differentiator", "l1-solver")
 
 
-class Stage:
+class Stage(Composable):
     """A registered part with its options; each name of the registry is a class of its own.
 
     Options are keyword arguments; what is not given has its default. Values with the same options
@@ -63,6 +64,55 @@ class Stage:
         return f"{type(self).__name__}({', '.join(options)})"
 
 
+class BasisStage(Stage):
+    """A registered basis; ``a + b`` has the terms of both, ``a * b`` their products."""
+
+    def library(self, states: Sequence[str], inputs: Sequence[str] = ()) -> list[str]:
+        """Names of the terms for these variables."""
+        return _lacuna.library(self.name, json.dumps(self._options), list(states), list(inputs))
+
+
+# What does the work of parts of scikit-learn and PySINDy, by the names of their classes.
+_INSTEAD = {
+    "LinearRegression": "Ols()", "Ridge": "Ridge()", "HuberRegressor": "Irls()",
+    "Lasso": "ElasticNet(mix=1.0)", "LassoCV": "ElasticNet(mix=1.0)", "ElasticNet": "ElasticNet()",
+    "OrthogonalMatchingPursuit": "Frols()", "STLSQ": "Stlsq(threshold=..., scale='coefficient')",
+    "SR3": "Sr3()", "FROLS": "Frols()", "MIOSR": "BestSubset()", "EnsembleOptimizer": "Ensemble()",
+    "PolynomialLibrary": "Monomials(max_degree=...)", "FourierLibrary": "Fourier()",
+    "IdentityLibrary": "Monomials(max_degree=1)", "CustomLibrary": "Basis(function)",
+    "FiniteDifference": "FiniteDifferences()", "SmoothedFiniteDifference": "SavitzkyGolay()",
+    "SpectralDerivative": "Spectral()",
+}  # fmt: skip
+
+
+def _checked_part(place: str, part: Any) -> None:
+    """Refuse what is no part, or one of another place.
+
+    Raises
+    ------
+    ConfigError
+        With what to use.
+    """
+    from .errors import ConfigError
+
+    where = f"Pipeline({place}=...)"
+    see = f"see lacuna.list_parts('{place}')"
+    if isinstance(part, Stage):
+        if part.kind != place:
+            raise ConfigError(where, f"{part.name} is a {part.kind}", see)
+        return
+    own = {"basis": Basis, "regressor": Regressor}.get(place)
+    if isinstance(part, str) or (own is not None and isinstance(part, own)):
+        return
+    if isinstance(part, type):
+        raise ConfigError(where, f"{part.__name__} is a class", f"give {part.__name__}(), {see}")
+    name = type(part).__name__
+    use = _INSTEAD.get(name) or ("" if own is None else f"{own.__name__}(function)")
+    raise ConfigError(
+        where, f"{name} is no part of lacuna", f"use lacuna.{use}, {see}" if use else see
+    )
+
+
 class Pipeline:
     """A composition of stages; a place that is not given has the preset's.
 
@@ -80,7 +130,7 @@ class Pipeline:
     Raises
     ------
     ConfigError
-        A stage in a place that is not its own.
+        A stage in a place that is not its own, or a part of another library.
     """
 
     def __init__(
@@ -95,8 +145,6 @@ class Pipeline:
         refiner: Stage | str | None = None,
         preset: str | None = None,
     ) -> None:
-        from .errors import ConfigError
-
         given = {
             "basis": basis,
             "formulation": formulation,
@@ -108,12 +156,7 @@ class Pipeline:
         }
         self._stages: dict[str, Any] = {key: one for key, one in given.items() if one is not None}
         for place, stage in self._stages.items():
-            if isinstance(stage, Stage) and stage.kind != place:
-                raise ConfigError(
-                    f"Pipeline({place}=...)",
-                    f"{stage.name} is a {stage.kind}",
-                    f"see list_parts('{place}')",
-                )
+            _checked_part(place, stage)
         if preset is not None:
             self._stages["preset"] = preset
 
@@ -184,7 +227,7 @@ def classes() -> dict[str, type[Stage]]:
             name = _class_name(part["kind"], part["name"], {**_classes, "None": 0})
             _classes[name] = type(
                 name,
-                (Stage,),
+                (BasisStage if part["kind"] == "basis" else Stage,),
                 {
                     "__doc__": _documented(part),
                     "__module__": "lacuna",

@@ -6,6 +6,7 @@ import re
 from collections.abc import Mapping, Sequence
 from typing import Any
 
+from .errors import optional
 from .model import Model
 
 # Functions of formulas, and what SymPy calls those that it calls otherwise.
@@ -15,7 +16,7 @@ _CALLED = {"abs": "Abs", "min": "Min", "max": "Max", "step": "Heaviside"}
 
 def _functions() -> dict[str, Any]:
     """Functions of formulas as SymPy's; step is 1 at 0, clip is a Min of a Max."""
-    import sympy
+    sympy = optional("sympy", "sympy")
 
     table = {name: getattr(sympy, _CALLED.get(name, name)) for name in (*_FUNCTIONS, *_CALLED)}
     table["step"] = lambda x: sympy.Heaviside(x, 1)
@@ -27,7 +28,7 @@ def _functions() -> dict[str, Any]:
 
 def to_sympy(model: Model) -> dict[Any, Any]:
     """Right-hand sides by state symbol; numbers are floats of all digits."""
-    import sympy
+    sympy = optional("sympy", "sympy")
 
     names = [*model.states, *model.inputs, "t"]
     symbols = {name: sympy.Symbol(name, real=True) for name in names}
@@ -46,7 +47,7 @@ def to_sympy(model: Model) -> dict[Any, Any]:
 
 def from_sympy(rates: Mapping[Any, Any], inputs: Sequence[Any] = ()) -> Model:
     """A model of expressions by state symbol; every other symbol but t is an input."""
-    import sympy
+    sympy = optional("sympy", "sympy")
     from sympy.printing.str import StrPrinter
 
     class Printer(StrPrinter):  # type: ignore[misc]

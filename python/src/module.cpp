@@ -11,6 +11,7 @@
 #include "bindings.hpp"
 #include "call.hpp"
 #include "lacuna/core/base/error.hpp"
+#include "lacuna/data/records/roles.hpp"
 #include "lacuna/data/records/table.hpp"
 
 namespace lacuna::python {
@@ -68,6 +69,17 @@ void fill(Table& table, Index column, const Column& values) {
     table.values(i, column) = view(static_cast<std::size_t>(i));
 }
 
+/// The number of the column that is the time by its name, as in a file with these headers.
+std::optional<Index> time_column(const std::vector<std::string>& headers) {
+  std::vector<std::string> all = headers;
+  all.emplace_back("any state [1]");  // as there is no record without one
+  const Table table = make_table("frame", all, std::vector<std::string>(all.size()), 0);
+  ColumnRoles roles;
+  roles.states = {table.columns.back().name};
+  const ColumnIndices found = find_columns(table, roles);
+  return found.time_by_position ? std::nullopt : found.time;
+}
+
 std::vector<std::string> units_of_columns(const Table& table) {
   std::vector<std::string> units;
   for (const Quantity& column : table.columns) units.push_back(column.unit);
@@ -96,6 +108,8 @@ void bind_tables(nb::module_& module) {
           "Names of the columns as the library has them.")
       .def_prop_ro("units", &units_of_columns)
       .def_prop_ro("values", [](const Table& self) { return array_of(self.values); });
+  module.def("time_column", &time_column, nb::arg("headers"),
+             "The number of the column whose name says that it is the time.");
 }
 
 }  // namespace lacuna::python

@@ -12,6 +12,7 @@
 #include "core/base/utf8.hpp"
 #include "lacuna/data/derivatives/differentiator.hpp"
 #include "lacuna/identify/pipeline/presets.hpp"
+#include "lacuna/regression/stages/basis.hpp"
 #include "own_stages.hpp"
 #include "report/json/stage_json.hpp"
 #include "report/pages/folded_text.hpp"
@@ -72,6 +73,16 @@ std::string checked_stage(const std::string& kind, const std::string& name,
   return format_stage(*read_stage(registry(), kind, given, name, *made(entry)));
 }
 
+/// A registered part of a type with its options as JSON.
+template <class Part>
+std::shared_ptr<const Part> part_of(const std::string& name, const std::string& options) {
+  Json given = Json::parse(options);
+  given["type"] = name;
+  const RegistryEntry& entry = registry().find(Part::kKind, name);
+  return std::dynamic_pointer_cast<const Part>(
+      read_stage(registry(), Part::kKind, given, name, *made(entry)));
+}
+
 Matrix matrix_of(const Rows& rows) {
   Matrix result(static_cast<Index>(rows.shape(0)), static_cast<Index>(rows.shape(1)));
   const auto view = rows.view();
@@ -99,11 +110,7 @@ std::vector<double> fitted(const WrittenRegressor& regressor, const Rows& theta,
 /// dx/dt of columns at their samples by a registered method.
 nb::object derivatives(const std::string& method, const std::string& options,
                        const Times& times, const Rows& values) {
-  Json given = Json::parse(options);
-  given["type"] = method;
-  const RegistryEntry& entry = registry().find(Differentiator::kKind, method);
-  const auto stage = std::dynamic_pointer_cast<const Differentiator>(
-      read_stage(registry(), Differentiator::kKind, given, method, *made(entry)));
+  const auto stage = part_of<Differentiator>(method, options);
   const auto view = times.view();
   Vector time(static_cast<Index>(times.shape(0)));
   for (Index i = 0; i < time.size(); ++i) time[i] = view(static_cast<std::size_t>(i));
@@ -160,6 +167,16 @@ void bind_stages(nb::module_& module) {
       nb::arg("name"));
   module.def("derivatives", &derivatives, nb::arg("method"), nb::arg("options"),
              nb::arg("time"), nb::arg("values"));
+  module.def(
+      "library",
+      [](const std::string& name, const std::string& options, std::vector<std::string> states,
+         std::vector<std::string> inputs) {
+        return part_of<Basis>(name, options)
+            ->library({std::move(states), std::move(inputs)})
+            .names();
+      },
+      nb::arg("name"), nb::arg("options"), nb::arg("states"), nb::arg("inputs"),
+      "Names of the terms of a registered basis.");
   bind_written<WrittenBasis>(module, "WrittenBasis")
       .def(nb::new_([](std::string name, nb::object function) {
              return WrittenBasis(Written(std::move(name), std::move(function)));

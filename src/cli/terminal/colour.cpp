@@ -29,6 +29,8 @@ constexpr std::array kVerdicts = {
     VerdictColour{"Partly explained", kYellow},
     VerdictColour{"An approximation", kYellow},
     VerdictColour{"Undecided", kYellow},
+    VerdictColour{"Undetermined", kYellow},
+    VerdictColour{"Not finished", kYellow},
     VerdictColour{"Something is missing", kRed},
     VerdictColour{"No effect is sought", kRed},
     VerdictColour{"Does not hold", kRed},

@@ -55,4 +55,9 @@ HoldoutEvaluation evaluate_time(const Problem& problem, const CompositeModel& co
 Diagnosis make_answer(const Problem& problem, Judged judged, std::optional<Gap> gap,
                       const HoldoutEvaluation& evaluation);
 
+/// Brings the verdict that the search came to before admit(): where it is refused, `verdict` and
+/// `admission` say so, and all else stays as it was found.
+/// @param diagnosis with coefficient changes and stages.
+void admit_verdict(Diagnosis& diagnosis, const DecisionOptions& decision);
+
 }  // namespace lacuna

@@ -230,20 +230,24 @@ EvaluatedComposite evaluated_on(const Records& records, const Problem& problem,
 }
 
 /// The answer where records and model do not fit together: nothing but why.
-Diagnosis withheld_answer(const OdeModel& nominal, std::vector<Hint> hints) {
-  return {.verdict = Verdict::UnnamedStructure,
-          .nominal = nominal,
-          .disagreement = {},
-          .effects = {},
-          .coefficient_changes = {},
-          .gap = {},
-          .remaining = {.structure = true, .sigma = 0.0, .equations = {}, .details = {}},
-          .augmented = nominal,
-          .noise = {},
-          .rounds = {},
-          .rivals = {},
-          .notes = {},
-          .hints = std::move(hints)};
+Diagnosis withheld_answer(const OdeModel& nominal, std::vector<Hint> hints,
+                          const DecisionOptions& decision) {
+  Diagnosis diagnosis{
+      .verdict = Verdict::UnnamedStructure,
+      .nominal = nominal,
+      .disagreement = {},
+      .effects = {},
+      .coefficient_changes = {},
+      .gap = {},
+      .remaining = {.structure = true, .sigma = 0.0, .equations = {}, .details = {}},
+      .augmented = nominal,
+      .noise = {},
+      .rounds = {},
+      .rivals = {},
+      .notes = {},
+      .hints = std::move(hints)};
+  admit_verdict(diagnosis, decision);
+  return diagnosis;
 }
 
 /// Slips that single coefficients give away, where none was seen before.
@@ -358,7 +362,8 @@ Diagnosis diagnose(const OdeModel& model, const Dataset& measured, const Dataset
   check_are_others(data, held_out);
   Records records = prepared(nominal, data, held_out, options.decision);
   std::vector<Hint> hints = hints_on(nominal, records, options.decision.hints);
-  if (withheld_by(hints) == Withheld::Answer) return withheld_answer(nominal, std::move(hints));
+  if (withheld_by(hints) == Withheld::Answer)
+    return withheld_answer(nominal, std::move(hints), options.decision);
   const std::vector<Stage<Hypothesis>> hypotheses = hypotheses_of(options, hints);
   const OdeModel known = withheld_by(hints) == Withheld::Claims ? held(nominal) : nominal;
   const BoundRecords as_measured = records.find;
@@ -390,6 +395,7 @@ Diagnosis diagnose(const OdeModel& model, const Dataset& measured, const Dataset
                          std::make_move_iterator(hints.end()));
   add_coefficient_hints(problem, diagnosis);
   diagnosis.augmented = without_output_channels(diagnosis.augmented, model);
+  admit_verdict(diagnosis, options.decision);
   return diagnosis;
 }
 

@@ -15,6 +15,10 @@ std::string to_string(Verdict verdict) {
       return "partly-explained";
     case Verdict::UnnamedStructure:
       return "unnamed-structure";
+    case Verdict::Undetermined:
+      return "undetermined";
+    case Verdict::Incomplete:
+      return "incomplete";
   }
   return "";
 }

@@ -24,6 +24,8 @@ Tone tone_of(const Diagnosis& diagnosis) {
     case Verdict::Explained:
       return Tone::Good;
     case Verdict::PartlyExplained:
+    case Verdict::Undetermined:
+    case Verdict::Incomplete:
       return Tone::Doubtful;
     case Verdict::UnnamedStructure:
       return diagnosis.remaining.equations.empty() ? Tone::Doubtful : Tone::Bad;

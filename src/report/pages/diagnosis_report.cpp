@@ -171,11 +171,17 @@ Json unnamed_json(const Diagnosis& diagnosis) {
           {"formula", unnamed.formula.empty() ? Json() : Json(unnamed.formula)}};
 }
 
+/// Why the search's verdict is not given; null where it is.
+Json why_json(const Diagnosis& diagnosis) {
+  return diagnosis.admission.stands() ? Json() : Json(diagnosis.admission.why);
+}
+
 }  // namespace
 
 std::string format_json(const Diagnosis& diagnosis) {
   Json json{{"format", "lacuna.diagnosis/1"},
             {"verdict", to_string(diagnosis.verdict)},
+            {"why", why_json(diagnosis)},
             {"hints", hints_json(diagnosis)},
             {"disagreement", disagreement_json(diagnosis)},
             {"effects", Json::array()}};

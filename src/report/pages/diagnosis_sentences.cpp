@@ -80,6 +80,10 @@ std::string headline(const Diagnosis& diagnosis) {
       if (diagnosis.remaining.equations.empty())
         return "No structure is missing in the records that were used; on others a gap stays.";
       return "Something is missing that no known effect explains.";
+    case Verdict::Undetermined:
+      return "Undetermined: " + diagnosis.admission.why + ".";
+    case Verdict::Incomplete:
+      return "Not finished; " + diagnosis.admission.why + ".";
   }
   return "";
 }

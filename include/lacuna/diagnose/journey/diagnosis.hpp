@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "lacuna/core/base/admission.hpp"
 #include "lacuna/core/base/stages_done.hpp"
 #include "lacuna/core/statistics/interval.hpp"
 #include "lacuna/diagnose/hints/hints.hpp"
@@ -23,9 +24,12 @@ enum class Verdict {
   Explained,         ///< effects named, nothing significant left
   PartlyExplained,   ///< effects named, significant structure left
   UnnamedStructure,  ///< significant structure that no candidate explains
+  Undetermined,      ///< the records allow neither what the search came to nor its opposite
+  Incomplete,        ///< a limit cut the search, and a stage that it left out could change it
 };
 
-/// "no-discrepancy", "coefficients-only", "explained", "partly-explained", "unnamed-structure".
+/// "no-discrepancy", "coefficients-only", "explained", "partly-explained", "unnamed-structure",
+/// "undetermined", "incomplete".
 std::string to_string(Verdict verdict);
 
 /// A nominal coefficient and what the records show of it.
@@ -70,6 +74,9 @@ struct Diagnosis {
   std::vector<Hint> hints = {};         ///< what is odd about the records, and its remedy
   Adequacy adequacy = {};  ///< of the augmented model, by equations of measured states
   std::vector<StageDone> stages = {};  ///< done, in order, and left out
+  /// Whether the search's verdict may be given, and why not: `verdict` is Undetermined or
+  /// Incomplete then, and effects are candidates without a claim.
+  Admission admission = {};
 };
 
 }  // namespace lacuna

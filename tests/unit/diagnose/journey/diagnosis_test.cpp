@@ -12,6 +12,8 @@ TEST(DiagnosisTypes, VerdictsAreTheWordsOfTheReport) {
   EXPECT_EQ(to_string(Verdict::Explained), "explained");
   EXPECT_EQ(to_string(Verdict::PartlyExplained), "partly-explained");
   EXPECT_EQ(to_string(Verdict::UnnamedStructure), "unnamed-structure");
+  EXPECT_EQ(to_string(Verdict::Undetermined), "undetermined");
+  EXPECT_EQ(to_string(Verdict::Incomplete), "incomplete");
 }
 
 TEST(DiagnosisTypes, AnIntervalHasTheWidthOfANormalDistribution) {

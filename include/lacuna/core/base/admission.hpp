@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+// May a verdict be given? All verdicts of identify, sync, fit and diagnose pass here.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "lacuna/core/base/stages_done.hpp"
+#include "lacuna/core/base/types.hpp"
+
+namespace lacuna {
+
+/// What a verdict claims of a model, whatever the command calls it.
+enum class Claim {
+  Fits,             ///< nothing is missing: the model as it is fits to the noise
+  CoefficientsOff,  ///< its structure fits to the noise, with other coefficients
+  Named,            ///< what is missing has a name, and nothing else is missing
+  StructureLeft,    ///< something that is missing has a name, and something has none
+  WrongStructure,   ///< what is missing has no name, or no library that was tried has it
+};
+
+/// Whether a verdict may be given.
+enum class Standing {
+  Stands,        ///< as it is claimed
+  Undetermined,  ///< the records allow neither it nor its opposite
+  Incomplete,    ///< a limit cut the search, and a stage that it left out could change it
+};
+
+/// A number that a claim rests on, and the one beyond which it bears none.
+struct Bounded {
+  double value = 0.0;
+  double bound = 0.0;
+};
+
+/// What a verdict rests on. Each command fills in what it knows; what is not given is no question
+/// there. A new reason to refuse is a field here and a function in the list of admit().
+struct VerdictBasis {
+  Claim claim = Claim::Fits;
+  /// The stages of the search whose result could change the claim, done or left out. Left out is
+  /// what left_out_line() lists; what had nothing to gain is not.
+  std::vector<StageDone> stages = {};
+  /// Coefficients, and named combinations of them, that are off beyond significance: something
+  /// that CoefficientsOff can point at.
+  std::optional<Index> changed = {};
+};
+
+/// The answer of admit().
+struct Admission {
+  Standing standing = Standing::Stands;
+  std::string why = {};     ///< a phrase without a full stop; empty where it stands
+  std::string remedy = {};  ///< what would help, likewise
+
+  /// Whether the verdict may be given.
+  bool stands() const noexcept { return standing == Standing::Stands; }
+};
+
+/// Whether a claim rests on what was searched, determined and shown. The first reason against it
+/// counts: a search that was cut, before anything that it found is judged.
+///
+/// Refused are
+/// - any claim that a stage could change that was left out: Incomplete;
+/// - CoefficientsOff with no coefficient and no combination to point at: Undetermined.
+Admission admit(const VerdictBasis& basis);
+
+}  // namespace lacuna

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+#include "lacuna/core/base/admission.hpp"
+
+namespace lacuna {
+namespace {
+
+Admission cut_search(const VerdictBasis& basis) {
+  const std::string line = left_out_line(basis.stages);
+  if (line.empty()) return {};
+  return {Standing::Incomplete, line, "leave it its time (--time-limit, --effort)"};
+}
+
+Admission nothing_to_point_at(const VerdictBasis& basis) {
+  if (basis.claim != Claim::CoefficientsOff || !basis.changed || *basis.changed > 0) return {};
+  return {Standing::Undetermined,
+          "the coefficients together fit better than as they were given, but none of them, and "
+          "no combination, is off beyond its error",
+          "use longer records, or such with more motion"};
+}
+
+}  // namespace
+
+Admission admit(const VerdictBasis& basis) {
+  for (const auto refusal : {cut_search, nothing_to_point_at})
+    if (Admission refused = refusal(basis); !refused.stands()) return refused;
+  return {};
+}
+
+}  // namespace lacuna

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+// What the verdict of a diagnosis rests on.
+#include <algorithm>
+
+#include "answer.hpp"
+
+namespace lacuna {
+namespace {
+
+Claim claim_of(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::NoDiscrepancy:
+      return Claim::Fits;
+    case Verdict::CoefficientsOnly:
+      return Claim::CoefficientsOff;
+    case Verdict::Explained:
+      return Claim::Named;
+    case Verdict::PartlyExplained:
+      return Claim::StructureLeft;
+    case Verdict::UnnamedStructure:
+    case Verdict::Undetermined:
+    case Verdict::Incomplete:
+      break;
+  }
+  return Claim::WrongStructure;
+}
+
+/// Those whose result could change the claim. What a quick run leaves out nobody expects of it:
+/// it is about effects under plain assumptions, and names of it are no whole explanation. That
+/// nothing known explains the records is a claim about all that is known.
+std::vector<StageDone> deciding(std::vector<StageDone> stages, Claim claim) {
+  if (claim != Claim::WrongStructure)
+    std::erase_if(stages, [](const StageDone& stage) { return stage.why == kIsQuick; });
+  return stages;
+}
+
+/// Coefficients that are off beyond significance by themselves, and those that the records
+/// determine with others only and that moved with them.
+Index changed(const std::vector<CoefficientChange>& changes, double significance) {
+  return std::count_if(changes.begin(), changes.end(), [&](const CoefficientChange& one) {
+    return one.determined ? one.sigma >= significance : one.estimated != one.nominal;
+  });
+}
+
+}  // namespace
+
+void admit_verdict(Diagnosis& diagnosis, const DecisionOptions& decision) {
+  const Claim claim = claim_of(diagnosis.verdict);
+  diagnosis.admission =
+      admit({.claim = claim,
+             .stages = deciding(diagnosis.stages, claim),
+             .changed = changed(diagnosis.coefficient_changes, decision.significance)});
+  switch (diagnosis.admission.standing) {
+    case Standing::Stands:
+      return;
+    case Standing::Undetermined:
+      diagnosis.verdict = Verdict::Undetermined;
+      return;
+    case Standing::Incomplete:
+      diagnosis.verdict = Verdict::Incomplete;
+      return;
+  }
+}
+
+}  // namespace lacuna

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+#include "lacuna/core/base/admission.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace lacuna {
+namespace {
+
+using testing::HasSubstr;
+
+constexpr Claim kAll[] = {Claim::Fits, Claim::CoefficientsOff, Claim::Named,
+                          Claim::StructureLeft, Claim::WrongStructure};
+
+TEST(Admission, WhatIsNoQuestionRefusesNothing) {
+  for (const Claim claim : kAll) {
+    const Admission admission = admit({.claim = claim});
+    EXPECT_TRUE(admission.stands());
+    EXPECT_EQ(admission.why, "");
+  }
+}
+
+TEST(Admission, NothingIsClaimedThatAStageCouldChangeWhichALimitCut) {
+  for (const Claim claim : kAll) {
+    const Admission admission =
+        admit({.claim = claim, .stages = {{"coefficients"}, {"effects", false, kTimeIsUp}}});
+    EXPECT_EQ(admission.standing, Standing::Incomplete);
+    EXPECT_THAT(admission.why, HasSubstr("effects (the time limit came first)"));
+    EXPECT_THAT(admission.why, Not(HasSubstr("coefficients")));
+  }
+}
+
+TEST(Admission, AStageWithNothingToGainIsNoReason) {
+  EXPECT_TRUE(admit({.claim = Claim::WrongStructure,
+                     .stages = {{"effects", true}, {"forms", false, "nothing to gain"}}})
+                  .stands());
+}
+
+TEST(Admission, CoefficientsAreOffOnlyWhereOneCanBePointedAt) {
+  EXPECT_TRUE(admit({.claim = Claim::CoefficientsOff, .changed = 1}).stands());
+  const Admission none = admit({.claim = Claim::CoefficientsOff, .changed = 0});
+  EXPECT_EQ(none.standing, Standing::Undetermined);
+  EXPECT_THAT(none.why, HasSubstr("none of them"));
+  EXPECT_TRUE(admit({.claim = Claim::Fits, .changed = 0}).stands());
+}
+
+TEST(Admission, ACutSearchIsTheFirstReason) {
+  EXPECT_EQ(admit({.claim = Claim::CoefficientsOff,
+                   .stages = {{"effects", false, kTimeIsUp}},
+                   .changed = 0})
+                .standing,
+            Standing::Incomplete);
+}
+
+}  // namespace
+}  // namespace lacuna
