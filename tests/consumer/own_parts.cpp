@@ -32,8 +32,8 @@ int main() {
   registry.add<page::OneSidedSpringEffect>();
   DiagnosisOptions options;
   options.effects = {page::OneSidedSpringEffect{}};
-  const Dataset beyond =
-      add_relative_noise(record_of(with("max(x-0.6,0)", -9.0), Rk4{}, start, 0.01, 2000), 1e-3, 1);
+  const Dataset beyond = add_relative_noise(
+      record_of(with("max(x-0.6,0)", -9.0), Rk4{}, start, 0.01, 2000), 1e-3, 1);
   std::cout << format_text(diagnose(free, beyond, {}, options)) << '\n';
   return 0;
 }
