@@ -57,8 +57,8 @@ void describe_judgement(DecisionOptions& o, OptionVisitor& v) {
            1.0},
           o.pile_up);
   v.field({"explained_gap", "noise floors",
-           "A model is called explained only where the gap on records that were not used is "
-           "at most this large, allowing for chance.",
+           "A model is called explained only where the gap on other records is at most this "
+           "large, allowing for chance; beside names of effects 'noise_inflation' decides.",
            1.0},
           o.explained_gap);
   v.field({"open_gap", "noise floors",
