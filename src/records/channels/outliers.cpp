@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "outliers.hpp"
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <utility>
