@@ -140,7 +140,7 @@ struct SimulateRequest {
 
 struct SimulateAnswer {
   Dataset data;  ///< states and, behind them, the outputs that are called otherwise; inputs
-  std::vector<std::string> notes = {};  ///< where it goes beyond what is known of inputs
+  std::vector<std::string> notes = {};  ///< on how inputs were read and where they end
   std::string problem = {};             ///< why there is no orbit; empty: there is
 };
 

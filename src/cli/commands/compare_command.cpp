@@ -55,7 +55,8 @@ CompareAnswer compare_model(const Registry& registry, const CompareRequest& opti
   Dataset simulated = data;
   simulated.trajectories = {longest_record(data)};
   simulated.trajectories[0].states = std::move(orbit.states);
-  return {{options.model.path, options.data.name(), compare_attractors(simulated, data)}};
+  return {{options.model.path, options.data.name(), compare_attractors(simulated, data),
+           data.notes}};
 }
 
 CompareAnswer compare_records(const CompareRequest& options, const RecordSources& one) {
@@ -66,7 +67,9 @@ CompareAnswer compare_records(const CompareRequest& options, const RecordSources
   DataOptions first = options.data;
   static_cast<RecordSources&>(first) = one;
   const Dataset a = read_data(first), b = in_units_of(a.states, read_data(options.data));
-  return {{first.name(), options.data.name(), compare_attractors(a, b)}};
+  std::vector<std::string> notes = a.notes;
+  notes.insert(notes.end(), b.notes.begin(), b.notes.end());
+  return {{first.name(), options.data.name(), compare_attractors(a, b), std::move(notes)}};
 }
 
 int compare_command(const Session& session, const CompareArguments& options) {

@@ -133,7 +133,9 @@ Fit answer(const FitRequest& request, const RunContext& context) {
           ? Dataset{}
           : conditions_for(given, request.conditions, common_roles(request.data));
   Fit found = fit(held, data, held_out, request.fit, context);
-  if (!request.conditions.empty()) found.predicted = predict(found, conditions);
+  if (request.conditions.empty()) return found;
+  found.predicted = predict(found, conditions);
+  found.notes.insert(found.notes.end(), conditions.notes.begin(), conditions.notes.end());
   return found;
 }
 

@@ -109,11 +109,12 @@ Dataset input_records(const OdeModel& model, const SimulateRequest& options) {
   return read_inputs(model, options.inputs.paths.front(), roles);
 }
 
-/// Where the simulation goes beyond what is known of its inputs.
-std::vector<std::string> notes_beyond(const Vector& times, const Dataset& record) {
+/// What is to be said of the inputs: how they were read, and where the simulation goes beyond
+/// them.
+std::vector<std::string> notes_on_inputs(const Vector& times, const Dataset& record) {
   const Vector& time = record.trajectories.front().time;
   const double begin = time[0], end = time[time.size() - 1];
-  std::vector<std::string> notes;
+  std::vector<std::string> notes = record.notes;
   if (times[0] < begin)
     notes.push_back("the input record begins at " + format_number(begin, 6) +
                     "; before that its first value holds");
@@ -171,7 +172,7 @@ Run run_from(const Vector& start, const Vector& times, const OdeModel& model,
   Solution orbit =
       simulate(DrivenModel{driven, inputs, inputs.breaks()}, integrator, start, times, context);
   return {std::move(orbit), inputs_at(times, inputs, static_cast<Index>(model.inputs().size())),
-          notes_beyond(times, *record)};
+          notes_on_inputs(times, *record)};
 }
 
 Run run(const OdeModel& model, const Integrator& integrator, const SimulateRequest& options,

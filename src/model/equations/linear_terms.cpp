@@ -20,6 +20,7 @@ constexpr std::size_t kMostTerms = 1000;
 struct Product {
   double coefficient = 1.0;
   std::vector<Expression> factors = {}, divisors = {};
+  bool numbered = false;  ///< a number is written in it, which may be 1
 };
 
 using Sum = std::vector<Product>;
@@ -47,6 +48,7 @@ Sum multiplied(const Sum& a, const Sum& b) {
     for (const Product& right : b) {
       Product product = left;
       product.coefficient *= right.coefficient;
+      product.numbered = product.numbered || right.numbered;
       append(product.factors, right.factors);
       append(product.divisors, right.divisors);
       result.push_back(std::move(product));
@@ -64,34 +66,57 @@ bool is_whole(const Expression& e) {
          e.operands()[1] == Expression::number(1.0);
 }
 
-Sum expanded(const Expression& e);
+/// What becomes of sums in products.
+enum class Sums { MultipliedOut, Kept };
+
+Sum expanded(const Expression& e, Sums sums);
 
 /// One over an expression; a sum stays a divisor as a whole.
-Product reciprocal(const Expression& divisor) {
-  const Sum below = expanded(divisor);
+Product reciprocal(const Expression& divisor, Sums sums) {
+  const Sum below = expanded(divisor, sums);
   if (below.size() != 1) return {1.0, {}, {divisor}};
-  return {1.0 / below[0].coefficient, below[0].divisors, below[0].factors};
+  return {1.0 / below[0].coefficient, below[0].divisors, below[0].factors, below[0].numbered};
 }
 
-Sum expanded(const Expression& e) {
-  if (const auto value = constant_value(e)) return {{*value}};
+Sum expanded(const Expression& e, Sums sums) {
+  if (const auto value = constant_value(e)) return {{.coefficient = *value, .numbered = true}};
   const auto operand = [&](std::size_t i) { return e.operands()[i]; };
   switch (e.operation()) {
     case Operation::Add:
-      return joined(expanded(operand(0)), expanded(operand(1)));
+      if (sums == Sums::Kept) return {{1.0, {e}}};
+      return joined(expanded(operand(0), sums), expanded(operand(1), sums));
     case Operation::Subtract:
-      return joined(expanded(operand(0)), scaled(expanded(operand(1)), -1.0));
+      if (sums == Sums::Kept) return {{1.0, {e}}};
+      return joined(expanded(operand(0), sums), scaled(expanded(operand(1), sums), -1.0));
     case Operation::Negate:
-      return scaled(expanded(operand(0)), -1.0);
+      return scaled(expanded(operand(0), sums), -1.0);
     case Operation::Multiply:
-      return multiplied(expanded(operand(0)), expanded(operand(1)));
+      return multiplied(expanded(operand(0), sums), expanded(operand(1), sums));
     case Operation::Divide:
-      return multiplied(expanded(operand(0)), {reciprocal(operand(1))});
+      return multiplied(expanded(operand(0), sums), {reciprocal(operand(1), sums)});
     case Operation::Power:
       if (is_whole(e)) return {{1.0, {operand(0)}}};
       return {{1.0, {e}}};
     default:
       return {{1.0, {e}}};
+  }
+}
+
+/// The products of a summand. Brackets with nothing but a sign in front are none.
+Sum products_of(const Expression& summand, const std::set<std::string>& parameters) {
+  const auto of_operand = [&](std::size_t i) {
+    return products_of(summand.operands()[i], parameters);
+  };
+  switch (summand.operation()) {
+    case Operation::Add:
+      return joined(of_operand(0), of_operand(1));
+    case Operation::Subtract:
+      return joined(of_operand(0), scaled(of_operand(1), -1.0));
+    case Operation::Negate:
+      return scaled(of_operand(0), -1.0);
+    default:
+      return expanded(summand,
+                      has_any(summand, parameters) ? Sums::Kept : Sums::MultipliedOut);
   }
 }
 
@@ -111,11 +136,14 @@ Term term_of(const Product& product, const VariableIndex& variables) {
 
 }  // namespace
 
-Equation linear_terms(std::span<const Expression> summands, const VariableIndex& variables) {
+Equation linear_terms(std::span<const Expression> summands, const VariableIndex& variables,
+                      const std::set<std::string>& parameters) {
   SummandList list;
   for (const Expression& summand : summands)
-    for (const Product& product : expanded(summand))
-      list.add({term_of(product, variables), product.coefficient});
+    for (const Product& product : products_of(summand, parameters))
+      list.add({.term = term_of(product, variables),
+                .coefficient = product.coefficient,
+                .fixed = !product.numbered});
   Equation equation = list.take();
   for (const WeightedTerm& summand : equation)
     if (!std::isfinite(summand.coefficient))
@@ -125,14 +153,19 @@ Equation linear_terms(std::span<const Expression> summands, const VariableIndex&
   return equation;
 }
 
-Expression kept_together(const Expression& term) {
-  if (is_sum(term)) return Expression::make(Operation::Power, {term, Expression::number(1.0)});
+Expression kept_together(const Expression& term, const std::set<std::string>& parameters,
+                         bool bare) {
+  const bool stays = has_any(term, parameters);
+  if (is_sum(term))
+    return stays && !bare ? term
+                          : Expression::make(Operation::Power, {term, Expression::number(1.0)});
   const bool is_product = term.operation() == Operation::Multiply ||
                           term.operation() == Operation::Divide ||
                           term.operation() == Operation::Negate;
-  if (!is_product) return term;
+  if (!is_product || (stays && term.operation() != Operation::Negate)) return term;
   std::vector<Expression> operands;
-  for (const Expression& operand : term.operands()) operands.push_back(kept_together(operand));
+  for (const Expression& operand : term.operands())
+    operands.push_back(kept_together(operand, parameters, bare));
   return Expression::make(term.operation(), std::move(operands));
 }
 

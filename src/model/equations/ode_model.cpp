@@ -8,6 +8,7 @@
 
 #include "core/base/names.hpp"
 #include "core/base/text.hpp"
+#include "data/times/time_names.hpp"
 #include "lacuna/core/base/error.hpp"
 #include "model/equations/formula_channel.hpp"
 #include "model/expressions/operations.hpp"
@@ -112,6 +113,7 @@ OdeModel::OdeModel(std::vector<Quantity> states, std::vector<Quantity> inputs,
   check_quantities(states_, taken);
   check_quantities(inputs_, taken);
   check_unit(time_unit_, "unit of time");
+  time_unit_ = time_unit_symbol(time_unit_).value_or(time_unit_);
   const VariableIndex names(variables());
   for (std::size_t i = 0; i < states_.size(); ++i)
     equations_[i] = checked_equation(equations_[i], states_[i].name, names);

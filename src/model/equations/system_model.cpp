@@ -11,6 +11,7 @@
 #include "core/base/text.hpp"
 #include "lacuna/core/base/error.hpp"
 #include "model/expressions/operations.hpp"
+#include "linear_terms.hpp"
 #include "summand_list.hpp"
 
 namespace lacuna {
@@ -18,12 +19,6 @@ namespace {
 
 using Names = std::set<std::string>;
 using Numbers = std::map<std::string, Expression>;
-
-bool has_any(const Expression& e, const Names& names) {
-  const Names used = e.variables();
-  return std::any_of(used.begin(), used.end(),
-                     [&](const std::string& name) { return names.contains(name); });
-}
 
 /// A formula as number times rest.
 struct Split {
@@ -94,6 +89,17 @@ WeightedTerm with_numbers(const WeightedTerm& summand, const Numbers& numbers, b
   return {.term = Term(split.rest, variables),
           .coefficient = summand.coefficient * split.number,
           .fixed = summand.fixed && !sized};
+}
+
+/// A summand multiplied out: with numbers for parameters its sums are sums of numbers times
+/// terms. A number in it is a coefficient that may change.
+Equation parts_of(const WeightedTerm& summand, const VariableIndex& variables) {
+  Equation parts = linear_terms({&summand.term.expression(), 1}, variables);
+  for (WeightedTerm& part : parts) {
+    part.coefficient *= summand.coefficient;
+    part.fixed = part.fixed && summand.fixed;
+  }
+  return parts;
 }
 
 std::vector<Output> substituted(std::vector<Output> outputs, const Numbers& numbers) {
@@ -229,23 +235,25 @@ OdeModel SystemModel::model() const {
   if (parameters_.empty()) return symbolic_;
   OdeModel frame(symbolic_.states(), inputs(), std::vector<Equation>(symbolic_.states().size()),
                  symbolic_.time_unit());
-  const VariableIndex variables(frame.variables());
+  const VariableIndex variables(frame.variables()), names(symbolic_.variables());
   const Numbers numbers = numbers_of(parameters_, true);
   const Names free = free_names(parameters_);
   std::vector<Equation> equations;
   for (const Equation& equation : symbolic_.equations()) {
     SummandList plain;
     for (const WeightedTerm& summand : equation) {
-      const Expression& term = summand.term.expression();
-      if (!has_any(term, names_)) {
+      if (!has_any(summand.term.expression(), names_)) {
         plain.add(summand);
         continue;
       }
-      const bool by_free = is_sized(term, names_, free);
-      WeightedTerm numeric = with_numbers(summand, numbers, by_free, variables);
-      // Parameters alone give the size of the term, and all of them are known.
-      if (!by_free && gives_size(term)) numeric.fixed = true;
-      if (numeric.coefficient != 0.0) plain.add(std::move(numeric));
+      for (const WeightedTerm& part : parts_of(summand, names)) {
+        const Expression& term = part.term.expression();
+        const bool by_free = is_sized(term, names_, free);
+        WeightedTerm numeric = with_numbers(part, numbers, by_free, variables);
+        // Parameters alone give the size of the term, and all of them are known.
+        if (!by_free && gives_size(term)) numeric.fixed = true;
+        if (numeric.coefficient != 0.0) plain.add(std::move(numeric));
+      }
     }
     equations.push_back(plain.take());
   }

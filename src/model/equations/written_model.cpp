@@ -10,7 +10,9 @@ namespace {
 Equation written_equation(const std::string& state, const Expression& rate,
                           const VariableIndex& variables) {
   try {
-    return linear_terms({&rate, 1}, variables);
+    Equation equation = linear_terms({&rate, 1}, variables);
+    for (WeightedTerm& summand : equation) summand.fixed = false;
+    return equation;
   } catch (const ModelError& error) {
     throw ModelError("d" + state + "/dt", error.where() + ": " + error.problem(),
                      error.remedy());

@@ -102,4 +102,10 @@ std::optional<double> constant_value(const Expression& expression) {
   return apply_operation(expression.operation(), values);
 }
 
+bool has_any(const Expression& expression, const std::set<std::string>& names) {
+  const std::set<std::string> used = expression.variables();
+  return std::any_of(used.begin(), used.end(),
+                     [&](const std::string& name) { return names.contains(name); });
+}
+
 }  // namespace lacuna

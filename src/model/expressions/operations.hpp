@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -29,6 +30,9 @@ double apply_operation(Operation operation, const std::array<double, 3>& operand
 
 /// The value of a formula without variables.
 std::optional<double> constant_value(const Expression& expression);
+
+/// Whether one of the names stands in a formula.
+bool has_any(const Expression& expression, const std::set<std::string>& names);
 
 /// What each operation means, in one place: calls `visitor.unary(f)`, `visitor.binary(f)` or
 /// `visitor.ternary(f)` with the function on doubles. NaN operands give NaN everywhere.

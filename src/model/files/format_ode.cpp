@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include <cmath>
+#include <set>
 #include <string>
 
 #include "core/base/text.hpp"
 #include "lacuna/model/files/ode_text.hpp"
 #include "model/equations/linear_terms.hpp"
+#include "summand_text.hpp"
 
 namespace lacuna {
 namespace {
@@ -29,32 +31,67 @@ std::string parameter_line(const Parameter& parameter) {
   return text + "\n";
 }
 
-/// Lines for the terms of which their numbers do not say whether they are fixed.
-std::string choices_text(const SystemModel& system) {
-  bool any_free = false;
-  for (const Parameter& parameter : system.parameters()) any_free = any_free || parameter.free;
-  std::string text;
-  for (std::size_t k = 0; k < system.symbolic().states().size(); ++k)
-    for (const WeightedTerm& summand : system.symbolic().equations()[k]) {
-      const bool read_so = any_free && std::abs(summand.coefficient) == 1.0 &&
-                           !system.gives_size(summand.term.expression());
-      if (summand.fixed != read_so && summand.coefficient != 0.0)
-        text +=
-            (summand.fixed ? "fixed " : "free ") +
-            left_hand_side(system.symbolic().states()[k].name, system.symbolic().evolution()) +
-            ": " + summand.term.name() + "\n";
+/// How the terms of a system are written, so that reading gives them back.
+struct Writing {
+  const SystemModel& system;
+  std::set<std::string> parameters;
+  bool any_free = false;  ///< then a term without a number in front of it is fixed
+
+  explicit Writing(const SystemModel& model) : system(model) {
+    for (const Parameter& parameter : model.parameters()) {
+      parameters.insert(parameter.name);
+      any_free = any_free || parameter.free;
     }
-  return text;
+  }
+
+  /// Whether a number says that a coefficient is free.
+  bool needs_number(const WeightedTerm& summand) const {
+    return any_free && !summand.fixed && !system.gives_size(summand.term.expression());
+  }
+
+  /// A summand without its sign.
+  std::string text_of(const WeightedTerm& summand) const {
+    const double size = std::abs(summand.coefficient);
+    const One one = needs_number(summand) ? One::Written : One::LeftOut;
+    return summand_text(kept_together(summand.term.expression(), parameters,
+                                      size == 1.0 && one == One::LeftOut),
+                        format_number(size), one);
+  }
+
+  /// Whether a summand is read as fixed from its text.
+  bool reads_fixed(const WeightedTerm& summand) const {
+    if (!any_free || system.gives_size(summand.term.expression())) return false;
+    const Equation read =
+        linear_terms(parse_summands(text_of(summand)),
+                     VariableIndex(system.symbolic().variables()), parameters);
+    return read.size() == 1 && read.front().fixed;
+  }
+};
+
+std::string equation_text(const Equation& equation, const Writing& writing) {
+  std::string text;
+  for (const WeightedTerm& summand : equation) {
+    if (summand.coefficient == 0.0) continue;
+    const bool negative = summand.coefficient < 0.0;
+    text += text.empty() ? (negative ? "-" : "") : negative ? " - " : " + ";
+    text += writing.text_of(summand);
+  }
+  return text.empty() ? "0" : text;
 }
 
-/// The equations; a sum that is one term is to be read as one term again.
-std::string equations_text(const OdeModel& model) {
-  const VariableIndex variables(model.variables());
-  std::vector<Equation> equations = model.equations();
-  for (Equation& equation : equations)
-    for (WeightedTerm& summand : equation)
-      summand.term = Term(kept_together(summand.term.expression()), variables);
-  return to_text(model.with_equations(std::move(equations))) + "\n";
+/// The equations, and lines for the terms that their text does not say are fixed.
+std::string equations_text(const SystemModel& system) {
+  const OdeModel& model = system.symbolic();
+  const Writing writing(system);
+  std::string equations, choices;
+  for (std::size_t k = 0; k < model.states().size(); ++k) {
+    const std::string left = left_hand_side(model.states()[k].name, model.evolution());
+    equations += left + " = " + equation_text(model.equations()[k], writing) + "\n";
+    for (const WeightedTerm& summand : model.equations()[k])
+      if (summand.fixed && summand.coefficient != 0.0 && !writing.reads_fixed(summand))
+        choices += "fixed " + left + ": " + summand.term.name() + "\n";
+  }
+  return equations + choices;
 }
 
 std::string initial_text(const std::string& state, const InitialValue& initial) {
@@ -88,7 +125,7 @@ std::string format_ode(const SystemModel& system) {
   for (const Quantity& state : model.states())
     text += "state " + with_unit(state.name, state.unit) + "\n";
   for (const Parameter& parameter : system.parameters()) text += parameter_line(parameter);
-  text += equations_text(model) + choices_text(system);
+  text += equations_text(system);
   for (const Output& output : model.outputs())
     text += output.name + " = " + with_unit(output.formula.to_string(), output.unit) +
             (output.noise ? " " + to_text(*output.noise) : "") + "\n";

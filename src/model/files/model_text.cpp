@@ -4,6 +4,7 @@
 
 #include "core/base/text.hpp"
 #include "lacuna/model/equations/ode_model.hpp"
+#include "summand_text.hpp"
 
 namespace lacuna {
 namespace {
@@ -19,21 +20,6 @@ bool is_product_text(const Expression& e) {
   }
 }
 
-/// |c| times the term; factors of 1 are left out.
-std::string magnitude_text(const Expression& e, std::string factor) {
-  if (is_number(e, 1.0)) return factor;
-  const bool reciprocal = e.operation() == Operation::Divide && is_number(e.operands()[0], 1.0);
-  std::string term = e.to_string();
-  if (factor == "1" && is_product_text(e)) return term;
-  if (reciprocal) return factor.append(term, 1);
-  if (factor == "1")
-    factor.clear();
-  else
-    factor += '*';
-  if (is_product_text(e)) return factor.append(term);
-  return factor.append("(").append(term).append(")");
-}
-
 std::string number_text(double value, std::optional<int> significant_digits) {
   return significant_digits ? format_number(value, *significant_digits) : format_number(value);
 }
@@ -44,14 +30,31 @@ std::string right_hand_side(const Equation& equation, std::optional<int> signifi
     if (summand.coefficient == 0.0) continue;
     const bool negative = summand.coefficient < 0.0;
     text += text.empty() ? (negative ? "-" : "") : negative ? " - " : " + ";
-    text += magnitude_text(summand.term.expression(),
-                           number_text(std::abs(summand.coefficient), significant_digits));
+    text += summand_text(summand.term.expression(),
+                         number_text(std::abs(summand.coefficient), significant_digits),
+                         One::LeftOut);
   }
   if (text.empty()) text += '0';
   return text;
 }
 
 }  // namespace
+
+std::string summand_text(const Expression& term, std::string factor, One one) {
+  if (is_number(term, 1.0)) return factor;
+  const bool left_out = factor == "1" && one == One::LeftOut;
+  const bool reciprocal =
+      term.operation() == Operation::Divide && is_number(term.operands()[0], 1.0);
+  std::string text = term.to_string();
+  if (left_out && is_product_text(term)) return text;
+  if (reciprocal) return factor.append(text, 1);
+  if (left_out)
+    factor.clear();
+  else
+    factor += '*';
+  if (is_product_text(term)) return factor.append(text);
+  return factor.append("(").append(text).append(")");
+}
 
 std::string to_text(const OdeModel& model, std::optional<int> significant_digits) {
   std::string text;

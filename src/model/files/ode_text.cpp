@@ -5,6 +5,8 @@
 #include <cmath>
 #include <map>
 #include <optional>
+#include <set>
+#include <string>
 #include <unordered_map>
 #include <utility>
 
@@ -323,6 +325,8 @@ Statements read_statements(std::string_view text, const std::string& source) {
 }
 
 std::vector<Equation> equations_of(const Statements& said, const VariableIndex& variables) {
+  std::set<std::string> parameters;
+  for (const Parameter& parameter : said.parameters) parameters.insert(parameter.name);
   std::vector<Equation> equations;
   for (const Quantity& state : said.states) {
     const auto found = said.equations.find(state.name);
@@ -333,7 +337,7 @@ std::vector<Equation> equations_of(const Statements& said, const VariableIndex& 
         found->second,
         [&](std::string_view text) { return parse_known_summands(text, variables); });
     try {
-      equations.push_back(linear_terms(summands, variables));
+      equations.push_back(linear_terms(summands, variables, parameters));
     } catch (const ModelError& error) {
       throw ModelError(found->second.place, error.where() + ": " + error.problem(),
                        error.remedy());
@@ -358,8 +362,8 @@ void mark_fixed(const Statements& said, const SystemModel& system,
                                     [](const Parameter& parameter) { return parameter.free; });
   for (std::size_t k = 0; k < equations.size(); ++k)
     for (WeightedTerm& summand : equations[k])
-      summand.fixed = any_free && std::abs(summand.coefficient) == 1.0 &&
-                      !system.gives_size(summand.term.expression());
+      summand.fixed =
+          any_free && summand.fixed && !system.gives_size(summand.term.expression());
   const VariableIndex variables(system.symbolic().variables());
   FirstLines first;
   for (const auto& [state, term, line, fixed] : said.choices) {

@@ -2,27 +2,18 @@
 #include "records/binding/time_unit.hpp"
 
 #include <cmath>
-#include <utility>
-#include <vector>
 
+#include "data/times/time_names.hpp"
+#include "data/units/units.hpp"
 #include "lacuna/core/base/error.hpp"
 
 namespace lacuna {
 namespace {
 
-/// Seconds of units of time; "us" stands before its other spelling.
-const std::vector<std::pair<std::string, double>>& known_units() {
-  static const std::vector<std::pair<std::string, double>> known{
-      {"s", 1.0},   {"ms", 1e-3},  {"us", 1e-6},  {"\u00b5s", 1e-6},
-      {"ns", 1e-9}, {"min", 60.0}, {"h", 3600.0}, {"d", 86400.0}};
-  return known;
-}
-
 /// Seconds of a unit of time; nothing for one that is none of seconds (radians, tau).
 std::optional<double> seconds_of(const std::string& unit) {
-  for (const auto& [name, seconds] : known_units())
-    if (name == unit) return seconds;
-  return std::nullopt;
+  const auto change = conversion(time_unit_symbol(unit).value_or(unit), "s");
+  return change ? std::optional(change->factor) : std::nullopt;
 }
 
 }  // namespace
@@ -49,8 +40,8 @@ Dataset in_time_unit_of(const OdeModel& model, Dataset data) {
 std::optional<std::string> scaled_time_unit(const std::string& unit, double factor) {
   const auto seconds = seconds_of(unit);
   if (!seconds) return std::nullopt;
-  for (const auto& [name, size] : known_units())
-    if (std::abs(size / (factor * *seconds) - 1.0) < 1e-6) return name;
+  for (const char* name : {"s", "ms", "us", "ns", "min", "h", "d"})
+    if (std::abs(*seconds_of(name) / (factor * *seconds) - 1.0) < 1e-6) return name;
   return std::nullopt;
 }
 

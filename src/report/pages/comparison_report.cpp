@@ -40,9 +40,12 @@ std::string format_text(const ComparisonReport& report) {
   const std::string verdict = report.agree() ? "They agree: one attractor as far as these show."
                               : judged       ? "They do not agree in all measures."
                                              : "Undecided: no measure could be judged.";
-  return verdict + "\n\n" + text_table(rows) +
-         "\nNumbers are means of five blocks +- 95 %. Spectrum and density are Hellinger's "
-         "distances: blocks of one record to one another, then blocks of different records.\n";
+  std::string text =
+      verdict + "\n\n" + text_table(rows) +
+      "\nNumbers are means of five blocks +- 95 %. Spectrum and density are Hellinger's "
+      "distances: blocks of one record to one another, then blocks of different records.\n";
+  for (const std::string& note : report.notes) text += "Note: " + note + "\n";
+  return text;
 }
 
 std::string format_json(const ComparisonReport& report) {
@@ -62,6 +65,7 @@ std::string format_json(const ComparisonReport& report) {
          {"second_ci95", {m.second - m.second_half, m.second + m.second_half}},
          {"agree", m.agree ? Json(*m.agree) : Json()},
          {"note", m.note}});
+  json["notes"] = report.notes;
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

@@ -221,7 +221,7 @@ Fit fit(const SystemModel& system, const Dataset& records, const Dataset& held_o
     result.notes.push_back(note);
   const std::vector<std::string>& left_out = engine.records.notes;
   const std::vector<std::string> jumps = notes_on_jumps(data);
-  for (const auto* more : {&jumps, &data.notes, &left_out})
+  for (const auto* more : {&jumps, &data.notes, &held_out.notes, &left_out})
     result.notes.insert(result.notes.end(), more->begin(), more->end());
   return result;
 }

@@ -55,9 +55,9 @@ class SystemModel {
   /// Whether a term has a factor of parameters alone, which gives its size.
   bool gives_size(const Expression& term) const;
 
-  /// The same model with numbers for its parameters: a factor of numbers in front of a term
-  /// becomes part of its coefficient, which is fixed where all of them are. Terms without
-  /// parameters stay as they are.
+  /// The same model with numbers for its parameters: their products are multiplied out over
+  /// sums, and a factor of numbers in front of a term becomes part of its coefficient, which is
+  /// fixed where all of them are. Terms without parameters stay as they are.
   OdeModel model() const;
 
   /// What is to be estimated: coefficients that are not fixed, and free parameters. Fixed

@@ -12,6 +12,7 @@ namespace lacuna {
 struct ComparisonReport {
   std::string first, second;  ///< what was compared
   std::vector<AttractorMeasure> measures;
+  std::vector<std::string> notes = {};  ///< of reading: units that were converted or were not
 
   /// Whether nothing disagrees, and something agrees.
   bool agree() const;

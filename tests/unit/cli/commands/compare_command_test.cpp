@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
+#include <cmath>
 #include <nlohmann/json.hpp>
+#include <string>
 
 #include "unit/cli/commands/records.hpp"
 
@@ -50,6 +52,21 @@ TEST(CompareCommand, AnotherModelDoesNot) {
   const auto result = run_command({"compare", model, record, "--time-unit", "s"});
   EXPECT_EQ(result.status, 0) << result.err;
   EXPECT_THAT(result.out, HasSubstr("FAIL"));
+}
+
+/// A record in another kind of unit than the model is compared as it is, and that is said.
+TEST(CompareCommand, UnitsThatNothingConvertsAreSaid) {
+  const TemporaryFolder folder;
+  std::string record = "t [s],x [kg],y\n";
+  for (int i = 0; i < 400; ++i)
+    record += std::to_string(0.05 * i) + "," + std::to_string(std::cos(0.05 * i)) + "," +
+              std::to_string(-std::sin(0.05 * i)) + "\n";
+  const std::string data = folder.write("r.csv", record);
+  const std::string model = folder.write("m.ode", "state x [V]\ndx/dt = y\ndy/dt = -x\n");
+  EXPECT_THAT(run_command({"compare", model, data}).out, HasSubstr("Note: "));
+  const auto result = run_command({"compare", model, data, "--json", "-"});
+  EXPECT_THAT(nlohmann::json::parse(result.out)["notes"].dump(),
+              HasSubstr("x is in kg, wanted is V"));
 }
 
 }  // namespace

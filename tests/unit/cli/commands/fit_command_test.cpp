@@ -77,6 +77,22 @@ TEST(FitCommand, PredictionsBeginSomewhere) {
                  2, {"new.csv", "nothing says where v begins"});
 }
 
+/// Whatever record a unit stands in that nothing converts, a note says so.
+TEST(FitCommand, UnitsThatNothingConvertsAreSaidOfAllRecords) {
+  const Records records;
+  const std::string conditions =
+      records.folder().write("new.csv", "t,u [kg],x,v\n0,0,1,0.5\n0.5,0,,\n1,0,,\n");
+  std::string other = other_oscillation(100);
+  other.replace(other.find("[m]"), 3, "[K]");
+  const std::string held = records.folder().write("held.csv", other);
+  const auto result = run_command({"fit", records.oscillator_model(), records.oscillator(),
+                                   "--holdout", held, "--predict", conditions, "--json", "-"});
+  EXPECT_EQ(result.status, 0) << result.err;
+  const std::string notes = nlohmann::json::parse(result.out)["notes"].dump();
+  EXPECT_THAT(notes, HasSubstr("u is in kg, wanted is N"));
+  EXPECT_THAT(notes, HasSubstr("x is in K, wanted is m"));
+}
+
 TEST(FitCommand, HeldOutRecordsGiveTheGap) {
   const Records records;
   const std::string other = records.folder().write("other.csv", other_oscillation(300));

@@ -42,6 +42,15 @@ TEST(SimulateCommand, DrivesModelsWithARecordOfTheirInputs) {
   EXPECT_NEAR(x, std::cos(10.0) + std::sin(5.0) / 3.0, 1e-4);
 }
 
+TEST(SimulateCommand, InputsInUnitsThatNothingConvertsAreSaid) {
+  const Records records;
+  const std::string model = records.folder().write("m.ode", "input u [V]\ndx/dt = u - x\n");
+  const std::string inputs = records.folder().write("u.csv", "t [s],u [kg]\n0,1\n1,1\n");
+  const auto result = run_command({"simulate", model, "--x0", "0", "--input-data", inputs});
+  EXPECT_EQ(result.status, 0) << result.err;
+  EXPECT_THAT(result.err, HasSubstr("u is in kg, wanted is V"));
+}
+
 TEST(SimulateCommand, OutputsStandBehindTheStates) {
   const Records records;
   const std::string model = records.folder().write(

@@ -53,6 +53,31 @@ TEST(LinearTerms, SumsToThePowerOfOneStayTogether) {
   }
 }
 
+/// u is a parameter here: a number in front of a bracket with it is one number.
+TEST(LinearTerms, ProductsWithAParameterAreOneTerm) {
+  const auto terms = [](const std::string& formula) {
+    Terms found;
+    for (const WeightedTerm& one :
+         linear_terms(parse_summands(formula), VariableIndex(kDrivenSpace), {"u"}))
+      found[one.term.name()] = one.coefficient;
+    return found;
+  };
+  EXPECT_EQ(terms("-(x-u)/4"), (Terms{{"x-u", -0.25}}));
+  EXPECT_EQ(terms("3*(x-y)/(2*u) + 2*(x-5)"),
+            (Terms{{"(x-y)/u", 1.5}, {"x", 2.0}, {"1", -10.0}}));
+  // A bracket with nothing but a sign in front has no number of its own.
+  EXPECT_EQ(terms("-(2*x-u*y)"), (Terms{{"x", -2.0}, {"y*u", 1.0}}));
+}
+
+TEST(LinearTerms, ANumberThatIsWrittenIsANumberAlsoWhereItIsOne) {
+  const auto fixed = [](const std::string& formula) {
+    return linear_terms(parse_summands(formula), VariableIndex(kDrivenSpace)).front().fixed;
+  };
+  for (const char* formula : {"x", "-x", "+x*y", "-sin(x)/y"}) EXPECT_TRUE(fixed(formula));
+  for (const char* formula : {"1*x", "-1.0*x", "x/1", "1.01*x", "1", "2*0.5*x*y"})
+    EXPECT_FALSE(fixed(formula)) << formula;
+}
+
 TEST(LinearTerms, WhatIsThereTwiceIsJoinedAndWhatCancelsGoes) {
   EXPECT_EQ(terms_of("x*y + 2*y*x"), (Terms{{"x*y", 3.0}}));
   EXPECT_TRUE(terms_of("x - x").empty());

@@ -110,7 +110,9 @@ TEST(ModelFile, ReadsParametersOutputsAndStarts) {
   EXPECT_EQ(system.symbolic().initial()[0]->deviation, 0.5);
   const OdeModel plain = parse_model(kSections, "m.json");
   EXPECT_EQ(plain.coefficient(0, "u"), 1.0);
-  EXPECT_EQ(plain.coefficient(0, "2-z"), 3.0) << "what was written is not multiplied out";
+  EXPECT_EQ(system.symbolic().equations()[0][1].term.name(), "m-z") << "as it is written";
+  EXPECT_EQ(plain.coefficient(0, "1"), 6.0) << "with numbers it is a sum of terms";
+  EXPECT_EQ(plain.coefficient(0, "z"), -3.0);
   EXPECT_EQ(plain.outputs()[0].formula.to_string(), "0.5*abs(x)");
 }
 

@@ -203,7 +203,7 @@ TEST(OdeText, WordsOfStatementsAreNamesToo) {
 TEST(OdeText, TermsThatAreOneWithNumbersForParametersAreAdded) {
   const SystemModel system = parse_ode_system(
       "input u\nparam R1 = 10 fixed\nparam R2 = 10 fixed\nparam C = 2\n"
-      "dv/dt = (u - v)/(R1*C) - (v - u)/(R2*C)\n",
+      "dv/dt = u/(R1*C) - v/(R1*C) - v/(R2*C) + u/(R2*C)\n",
       "m.ode");
   EXPECT_EQ(system.symbolic().equations()[0].size(), 4u) << "as they are written";
   const ParametrisedModel model = system.parametrised();
@@ -211,6 +211,14 @@ TEST(OdeText, TermsThatAreOneWithNumbersForParametersAreAdded) {
   EXPECT_EQ(model.symbolic().coefficient(0, "v*10^-1*C^-1"), -2.0);
   EXPECT_EQ(model.symbolic().coefficient(0, "u*10^-1*C^-1"), 2.0);
   EXPECT_EQ(system.places_in_parametrised()[0], (std::vector<Index>{0, 1, 1, 0}));
+  // In brackets they are when numbers stand for all parameters.
+  const OdeModel plain = parse_ode_system(
+                             "input u\nparam R = 10\nparam C = 2\n"
+                             "dv/dt = (u - v)/(R*C) - (v - u)/(10*C)\n",
+                             "m.ode")
+                             .model();
+  EXPECT_DOUBLE_EQ(plain.coefficient(0, "u"), 0.1);
+  EXPECT_DOUBLE_EQ(plain.coefficient(0, "v"), -0.1);
 }
 
 TEST(OdeText, ASumHasAnyNumberOfSummands) {

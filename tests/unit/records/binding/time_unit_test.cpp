@@ -29,6 +29,22 @@ TEST(TimeUnit, IsThatOfTheModel) {
   EXPECT_EQ(data.notes[0], "run.csv: time is taken from min to s");
 }
 
+/// Words are the units that they mean, in models as in files.
+TEST(TimeUnit, MayBeAWord) {
+  for (const char* word : {"min", "minute", "minutes", "mins"}) {
+    EXPECT_EQ(model_in(word).time_unit(), "min");
+    const Dataset data = in_time_unit_of(model_in(word), record_in("min"));
+    EXPECT_EQ(data.trajectories[0].time[1], 30.0) << word;
+    EXPECT_TRUE(data.notes.empty()) << word;
+  }
+  EXPECT_EQ(model_in("day").time_unit(), "d");
+  EXPECT_EQ(model_in("hours").time_unit(), "h");
+  EXPECT_EQ(model_in("sec").time_unit(), "s");
+  EXPECT_EQ(model_in("generation").time_unit(), "generation");
+  EXPECT_DOUBLE_EQ(in_time_unit_of(model_in("days"), record_in("hours")).trajectories[0].time[1],
+                   30.0 / 24.0);
+}
+
 TEST(TimeUnit, StaysWhereThereIsNothingToConvert) {
   for (const char* unit : {"min", "", "1"}) {
     const Dataset data = in_time_unit_of(model_in(unit), record_in("min"));
