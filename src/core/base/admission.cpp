@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "lacuna/core/base/admission.hpp"
 
+#include "core/base/text.hpp"
+
 namespace lacuna {
 namespace {
 
@@ -8,6 +10,22 @@ Admission cut_search(const VerdictBasis& basis) {
   const std::string line = left_out_line(basis.stages);
   if (line.empty()) return {};
   return {Standing::Incomplete, line, "leave it its time (--time-limit, --effort)"};
+}
+
+Admission nothing_moves(const VerdictBasis& basis) {
+  if (!basis.still) return {};
+  return {Standing::Undetermined,
+          "nothing moves in the records: they fit many models, and determine none",
+          "use records with motion"};
+}
+
+Admission slow_noise(const VerdictBasis& basis) {
+  if (!basis.memory || !(basis.memory->value > basis.memory->bound)) return {};
+  return {Standing::Undetermined,
+          "what is taken for noise has a memory of " +
+              format_number(100.0 * basis.memory->value, 2) +
+              " % of a record: that is not distinguished from structure that the model lacks",
+          "use longer records, or several"};
 }
 
 Admission nothing_to_point_at(const VerdictBasis& basis) {
@@ -21,7 +39,7 @@ Admission nothing_to_point_at(const VerdictBasis& basis) {
 }  // namespace
 
 Admission admit(const VerdictBasis& basis) {
-  for (const auto refusal : {cut_search, nothing_to_point_at})
+  for (const auto refusal : {cut_search, nothing_moves, slow_noise, nothing_to_point_at})
     if (Admission refused = refusal(basis); !refused.stands()) return refused;
   return {};
 }

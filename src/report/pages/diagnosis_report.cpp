@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "lacuna/report/pages/diagnosis_report.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -50,6 +51,39 @@ Json disagreement_json(const Diagnosis& diagnosis) {
   return list;
 }
 
+/// Names that the records do not distinguish from an effect.
+Json twins_json(const Diagnosis& diagnosis, const NamedEffect& effect) {
+  std::vector<std::string> names;
+  for (const Twin& twin : diagnosis.twins)
+    for (const std::string& name : twin.names)
+      if ((twin.instead_of.empty() || twin.instead_of == effect.name) &&
+          std::find(names.begin(), names.end(), name) == names.end())
+        names.push_back(name);
+  return names;
+}
+
+/// Whether a fault of a channel and an effect of the dynamics are not distinguished.
+bool is_dynamics_or_measurement(const Diagnosis& diagnosis) {
+  const auto is_fault = [](const NamedEffect& one) { return one.place == Place::Channel; };
+  const auto& effects = diagnosis.effects;
+  const bool fault = std::any_of(effects.begin(), effects.end(), is_fault);
+  return std::any_of(
+      diagnosis.twins.begin(), diagnosis.twins.end(),
+      [&](const Twin& twin) { return fault || twin.measurement; });
+}
+
+/// What would have been seen; null where the verdict is not that nothing is determined, or that
+/// is not known either.
+Json smallest_effect_json(const Diagnosis& diagnosis) {
+  if (diagnosis.smallest_effects.empty()) return {};
+  Json list = Json::array();
+  for (const SmallestEffect& least : diagnosis.smallest_effects)
+    list.push_back({{"equation", state_name(diagnosis, least.equation)},
+                    {"rate", least.rate},
+                    {"relative", least.relative}});
+  return list;
+}
+
 Json to_json(const Diagnosis& diagnosis, const NamedEffect& effect) {
   Json json{{"equation", state_name(diagnosis, effect.equation)},
             {"name", effect.name},
@@ -63,6 +97,8 @@ Json to_json(const Diagnosis& diagnosis, const NamedEffect& effect) {
             {"gap_closed", effect.gap_closed},
             {"contribution", effect.contribution},
             {"probability", effect.probability},
+            {"claim", diagnosis.verdict == Verdict::Explained},
+            {"not_told_apart", twins_json(diagnosis, effect)},
             {"alternatives", Json::array()}};
   for (const NamedParameter& parameter : effect.parameters)
     json["parameters"][parameter.name] = parameter.value;
@@ -182,6 +218,8 @@ std::string format_json(const Diagnosis& diagnosis) {
   Json json{{"format", "lacuna.diagnosis/1"},
             {"verdict", to_string(diagnosis.verdict)},
             {"why", why_json(diagnosis)},
+            {"smallest_effect", smallest_effect_json(diagnosis)},
+            {"dynamics_or_measurement", is_dynamics_or_measurement(diagnosis)},
             {"hints", hints_json(diagnosis)},
             {"disagreement", disagreement_json(diagnosis)},
             {"effects", Json::array()}};

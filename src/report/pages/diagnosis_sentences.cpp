@@ -49,8 +49,18 @@ std::string hint_sentence(const Hint& hint) {
          ".";
 }
 
-/// What was gained on other records, and what has no name.
+/// What was gained on other records, and what has no name; or what is against names that leave
+/// nothing.
 std::string partly_explained(const Diagnosis& diagnosis) {
+  if (diagnosis.remaining.equations.empty() && !diagnosis.reservations.empty())
+    return "Partly explained: what is named leaves no significant structure in the records that "
+           "were used, but " +
+           diagnosis.reservations.front() + ".";
+  if (diagnosis.remaining.equations.empty() && !diagnosis.twins.empty()) {
+    std::vector<std::string> choices{names_in_places(diagnosis.effects, diagnosis.nominal)};
+    for (const Twin& twin : diagnosis.twins) choices.push_back(twin.what);
+    return "Explained but for the choice between " + join(choices, " and ") + ".";
+  }
   const std::string rest = "Partly explained: effects are named, but significant structure is left";
   const auto& gap = diagnosis.gap;
   if (!gap || !(gap->after < gap->before) || !std::isfinite(gap->before)) return rest + ".";
@@ -214,6 +224,12 @@ DiagnosisSentences sentences_of(const Diagnosis& diagnosis) {
     report_effect(diagnosis, effect, all.findings);
   if (diagnosis.verdict == Verdict::CoefficientsOnly || !diagnosis.effects.empty())
     report_changes(diagnosis, all.findings);
+  for (const SmallestEffect& least : diagnosis.smallest_effects)
+    all.findings.push_back("Equation " + state_of(diagnosis, least.equation).name +
+                           ": a missing rate would have been seen from " +
+                           format_number(least.rate, 2) + " " +
+                           rate_unit_of(diagnosis, least.equation) + " rms on (" +
+                           percent(least.relative) + " of its rate of change).");
   if (diagnosis.remaining.structure) report_remaining(diagnosis, all.findings);
   if (diagnosis.unnamed) report_unnamed(diagnosis, *diagnosis.unnamed, all.findings);
   if (diagnosis.gap) all.findings.push_back(gap_sentence(*diagnosis.gap));

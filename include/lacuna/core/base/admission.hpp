@@ -43,6 +43,10 @@ struct VerdictBasis {
   /// Coefficients, and named combinations of them, that are off beyond significance: something
   /// that CoefficientsOff can point at.
   std::optional<Index> changed = {};
+  /// Nothing moves: what was measured never changes, or is noise.
+  bool still = false;
+  /// The longest memory of what the claim takes for noise, as a fraction of a record.
+  std::optional<Bounded> memory = {};
 };
 
 /// The answer of admit().
@@ -60,6 +64,9 @@ struct Admission {
 ///
 /// Refused are
 /// - any claim that a stage could change that was left out: Incomplete;
+/// - any claim on records in which nothing moves: Undetermined;
+/// - any claim that takes for noise what remembers more than a fraction of the record: noise as
+///   slow as that is not distinguished from structure: Undetermined;
 /// - CoefficientsOff with no coefficient and no combination to point at: Undetermined.
 Admission admit(const VerdictBasis& basis);
 

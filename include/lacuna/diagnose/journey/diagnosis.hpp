@@ -56,6 +56,13 @@ struct Remaining {
   std::vector<EquationStructure> details;  ///< one for each of them
 };
 
+/// The least rate in an equation that would have been significant.
+struct SmallestEffect {
+  Index equation = 0;
+  double rate = 0.0;
+  double relative = 0.0;  ///< over the rms of the state's rate
+};
+
 /// What a nominal model lacks.
 struct Diagnosis {
   Verdict verdict = Verdict::NoDiscrepancy;
@@ -77,6 +84,9 @@ struct Diagnosis {
   /// Whether the search's verdict may be given, and why not: `verdict` is Undetermined or
   /// Incomplete then, and effects are candidates without a claim.
   Admission admission = {};
+  std::vector<SmallestEffect> smallest_effects = {};  ///< with the verdict Undetermined
+  std::vector<Twin> twins = {};  ///< what explains the records as well as the effects
+  std::vector<std::string> reservations = {};  ///< what else is against them, a phrase each
 };
 
 }  // namespace lacuna
