@@ -141,7 +141,7 @@ var r=svg.getBoundingClientRect(),v=svg.viewBox.baseVal;
 svg.dispatchEvent(new PointerEvent('pointermove',{clientX:r.left+p[0]*r.width/v.width,
 clientY:r.top+p[1]*r.height/v.height}));
 var tip=document.querySelector('.tip');said.push(tip.style.display,tip.textContent);
-var all=[...document.querySelectorAll('path[data-series]')];
+var all=[...document.querySelectorAll('svg:not(.narrow) path[data-series]')];
 said.unshift(all.filter(p=>p.getBBox().width>0).length+' of '+all.length+' drawn');
 document.title=said.join('|').replace(/\n/g,'|');</script></body>)";
   html.replace(html.rfind("</body>"), 7, script);

@@ -6,6 +6,7 @@
 #include "report/pages/pages.hpp"
 #include "report/plot/mathml.hpp"
 #include "run_figures.hpp"
+#include "said_once.hpp"
 
 namespace lacuna {
 namespace {
@@ -69,7 +70,7 @@ Page fit_page(const Fit& fit) {
   page.tone = !standing.converged   ? Tone::Bad
               : standing.is_sound() ? Tone::Good
                                     : Tone::Doubtful;
-  page.findings = fit.notes;
+  page.findings = said_once(fit.notes);
   page.equations = equations_mathml(fit.model.model());
   page.sections.push_back(numbers_section(fit));
   const std::vector<GapRecord> runs = runs_of(fit);

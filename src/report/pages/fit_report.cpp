@@ -13,6 +13,7 @@
 #include "report/json/adequacy_json.hpp"
 #include "report/json/bands_json.hpp"
 #include "report/json/stages_json.hpp"
+#include "said_once.hpp"
 
 namespace lacuna {
 namespace {
@@ -414,7 +415,7 @@ std::string format_text(const Fit& fit) {
   }
   write_predicted(fit, out);
   out << "Verdict: " << sentence_of(standing_of(fit)) << "\n";
-  for (const std::string& note : fit.notes) out << "Note: " << note << "\n";
+  for (const std::string& note : said_once(fit.notes)) out << "Note: " << note << "\n";
   return out.str();
 }
 

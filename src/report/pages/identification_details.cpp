@@ -8,6 +8,7 @@
 #include "folded_text.hpp"
 #include "identification_details.hpp"
 #include "readable.hpp"
+#include "said_once.hpp"
 #include "invariant_text.hpp"
 
 namespace lacuna {
@@ -155,7 +156,7 @@ std::string details_text(const IdentificationReport& report, const Digits& digit
   if (const std::string line = left_out_line(result.stages); !line.empty())
     out << "\nStages\n  " << line << "\n";
   if (!result.warnings.empty()) out << "\nWarnings\n";
-  for (const std::string& warning : result.warnings) out << "  " << warning << "\n";
+  for (const std::string& warning : said_once(result.warnings)) out << "  " << warning << "\n";
   return out.str();
 }
 

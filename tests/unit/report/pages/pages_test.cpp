@@ -138,6 +138,34 @@ TEST(Pages, DiagnosisShowsWhatItShould) {
   EXPECT_THAT(html, HasSubstr("inflation 1 against 1.3"));
 }
 
+/// What withholds an answer is said under its headline, other hints with what is to be known.
+TEST(Pages, HintsThatWithholdAnAnswerComeFirst) {
+  Diagnosis diagnosis = diagnosis_with_runs();
+  diagnosis.hints = {{HintKind::Excitation, "v hardly moves", "move it"}};
+  Page page = diagnosis_page(diagnosis);
+  const bool first = !page.first.empty();
+  EXPECT_EQ(first, withheld_by(diagnosis.hints) != Withheld::Nothing);
+  diagnosis.hints = {{HintKind::TimeUnit, "time is in ms", "--time-unit ms"}};
+  page = diagnosis_page(diagnosis);
+  EXPECT_NE(withheld_by(diagnosis.hints), Withheld::Nothing);
+  ASSERT_EQ(page.first.size(), 1u);
+  EXPECT_THAT(page.first[0], HasSubstr("--time-unit ms"));
+}
+
+TEST(Pages, TheFirstPictureIsOfTheEquationThatIsOff) {
+  const Page page = diagnosis_page(diagnosis_with_runs());
+  ASSERT_TRUE(page.picture);
+  EXPECT_EQ(page.picture->name, "deviation_v");
+}
+
+TEST(Pages, NumbersOfNominalTermsAreShort) {
+  Diagnosis diagnosis = diagnosis_with_runs();
+  diagnosis.coefficient_changes[0].term = "sin(1.234567890123456*q)";
+  const std::string html = format_html(diagnosis_page(diagnosis));
+  EXPECT_THAT(html, HasSubstr("sin(1.235*q)"));
+  EXPECT_THAT(html, ::testing::Not(HasSubstr("1.23456")));
+}
+
 TEST(Pages, DiagnosisWithoutAnythingHasNoEmptyHeadings) {
   Diagnosis diagnosis = diagnosis_with_runs();
   diagnosis.gap.reset();
