@@ -11,7 +11,7 @@
 #include "records/channels/shown_holds.hpp"
 #include "report/pages/data_summary.hpp"
 #include "report/pages/pages.hpp"
-#include "report/pages/said_once.hpp"
+#include "report/pages/folded_text.hpp"
 #include "report_options.hpp"
 
 namespace lacuna::cli {

@@ -5,7 +5,6 @@
 #include "readable.hpp"
 #include "report/pages/data_summary.hpp"
 #include "folded_text.hpp"
-#include "said_once.hpp"
 
 namespace lacuna {
 namespace {

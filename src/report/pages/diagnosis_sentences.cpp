@@ -6,9 +6,9 @@
 #include <numbers>
 
 #include "core/base/text.hpp"
+#include "folded_text.hpp"
 #include "lacuna/core/statistics/interval.hpp"
 #include "readable.hpp"
-#include "said_once.hpp"
 
 namespace lacuna {
 namespace {

@@ -2,11 +2,11 @@
 #include <cmath>
 
 #include "core/base/text.hpp"
+#include "folded_text.hpp"
 #include "readable.hpp"
 #include "report/pages/pages.hpp"
 #include "report/plot/mathml.hpp"
 #include "run_figures.hpp"
-#include "said_once.hpp"
 
 namespace lacuna {
 namespace {

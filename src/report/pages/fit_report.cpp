@@ -7,13 +7,13 @@
 #include <sstream>
 
 #include "core/base/text.hpp"
+#include "folded_text.hpp"
 #include "lacuna/core/statistics/interval.hpp"
 #include "lacuna/model/equations/rounding.hpp"
 #include "lacuna/model/files/model_file.hpp"
 #include "report/json/adequacy_json.hpp"
 #include "report/json/bands_json.hpp"
 #include "report/json/stages_json.hpp"
-#include "said_once.hpp"
 
 namespace lacuna {
 namespace {

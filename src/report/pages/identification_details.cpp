@@ -8,7 +8,6 @@
 #include "folded_text.hpp"
 #include "identification_details.hpp"
 #include "readable.hpp"
-#include "said_once.hpp"
 #include "invariant_text.hpp"
 
 namespace lacuna {

@@ -5,6 +5,7 @@
 #include "core/base/text.hpp"
 #include "core/statistics/determined.hpp"
 #include "diagnosis_sentences.hpp"
+#include "folded_text.hpp"
 #include "free_runs.hpp"
 #include "readable.hpp"
 #include "invariant_text.hpp"
@@ -12,7 +13,6 @@
 #include "report/pages/pages.hpp"
 #include "report/plot/mathml.hpp"
 #include "run_figures.hpp"
-#include "said_once.hpp"
 
 namespace lacuna {
 namespace {

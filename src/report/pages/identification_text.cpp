@@ -6,7 +6,6 @@
 #include "folded_text.hpp"
 #include "identification_details.hpp"
 #include "readable.hpp"
-#include "said_once.hpp"
 
 namespace lacuna {
 namespace {

@@ -37,6 +37,8 @@ th,td{text-align:left;padding:.25rem .8rem .25rem 0;border-bottom:1px solid var(
 vertical-align:top}
 th{color:var(--soft);font-weight:600}.number{text-align:right;white-space:nowrap;
 font-variant-numeric:tabular-nums}
+@media screen and (max-width:600px){.wide table{min-width:0;font-size:.8rem}
+th,td{padding-right:.45rem}td{overflow-wrap:anywhere}.number{white-space:normal}}
 details{margin:1.4rem 0;border-top:1px solid var(--grid);padding-top:.8rem}
 summary{cursor:pointer;font-weight:600}
 code{font:.85em ui-monospace,"Liberation Mono",monospace;overflow-wrap:anywhere}

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "said_once.hpp"
+#include "folded_text.hpp"
 
 #include <algorithm>
 

@@ -133,7 +133,7 @@ Markup with_scales(const LineFigure& figure, const Frame& frame, const Markup& c
 Markup drawn(const LineFigure& figure, double width) {
   Frame frame = frame_of(figure, width);
   const double left = width > svg::kNarrow ? kLeft : 8.0;  // of words above the curves
-  const svg::Lines title = svg::lines(figure.title, left, frame.right(), 16.0, "title");
+  const svg::TextLines title = svg::lines(figure.title, left, frame.right(), 16.0, "title");
   const svg::Legend legend =
       svg::legend(keys_of(figure), left, frame.right(), kAbove + title.height + 14.0);
   frame.top = kAbove + title.height + legend.height + 4.0;

@@ -112,7 +112,7 @@ Markup drawn(const OrbitFigure& figure, double width) {
   std::vector<svg::Key> keys;
   for (std::size_t s = 0; s < figure.orbits.size(); ++s)
     keys.push_back({figure.orbits[s].label, svg::class_of(figure.orbits[s].curve), s});
-  const svg::Lines title = svg::lines(figure.title, left, right, 16.0, "title");
+  const svg::TextLines title = svg::lines(figure.title, left, right, 16.0, "title");
   const svg::Legend legend = svg::legend(keys, left, right, title.height + 40.0);
   const Box box = box_of(figure);
   Markup curves;

@@ -38,7 +38,7 @@ Vector values_of(const RowFigure& figure) {
   return Eigen::Map<const Vector>(values.data(), static_cast<Index>(values.size()));
 }
 
-svg::Lines label_above(const Row& row, double width, double top) {
+svg::TextLines label_above(const Row& row, double width, double top) {
   return svg::lines(row.label, 16.0, width - 10.0, top + 14.0);
 }
 
@@ -99,7 +99,7 @@ Markup row_of(const RowFigure& figure, const Row& row, const RowFrame& frame, do
 
 Markup drawn(const RowFigure& figure, double width) {
   const RowFrame frame = frame_of(figure, width);
-  const svg::Lines title = svg::lines(figure.title, 8.0, width - 8.0, 16.0, "title");
+  const svg::TextLines title = svg::lines(figure.title, 8.0, width - 8.0, 16.0, "title");
   const double first = kFirstRow + title.height;
   const double bottom = first + frame.row_height() * static_cast<double>(figure.rows.size());
   Markup content = title.markup;

@@ -68,14 +68,14 @@ std::size_t room_in(double pixels) {
   return static_cast<std::size_t>(std::max(8.0, pixels / kCharacter));
 }
 
-Lines lines(const std::string& text, double x, double right, double y,
-            const std::string& kind) {
+TextLines lines(const std::string& text, double x, double right, double y,
+                const std::string& kind) {
   constexpr double kLine = 17.0;
   constexpr std::size_t kMostLines = 3;
   // Titles are bold.
   const double wide = kind == "title" ? 1.15 : 1.0;
   const std::size_t room = room_in((right - x) / wide);
-  Lines all;
+  TextLines all;
   std::string rest = text;
   for (std::size_t i = 0; !rest.empty() && i < kMostLines; ++i) {
     std::string part = rest;

@@ -30,14 +30,14 @@ std::string shortened(const std::string& text, std::size_t most);
 double width_of(const std::string& text);
 
 /// Text in as many lines as it needs, three at most.
-struct Lines {
+struct TextLines {
   Markup markup;
   double height = 0.0;  ///< of the lines behind the first
 };
 
 /// Lines from x to `right`, the first on the height y; a word that is longer than a line breaks.
-Lines lines(const std::string& text, double x, double right, double y,
-            const std::string& kind = "label");
+TextLines lines(const std::string& text, double x, double right, double y,
+                const std::string& kind = "label");
 
 /// Characters for which there is room.
 std::size_t room_in(double pixels);

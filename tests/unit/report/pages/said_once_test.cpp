@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "report/pages/said_once.hpp"
+#include "report/pages/folded_text.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -64,7 +64,7 @@ int pieces_of(const std::string& formula) {
   const Variables variables{{"x", "v"}, {}};
   const OdeModel model({{"x", ""}, {"v", ""}}, {}, {{{Term::parse(formula, variables), 2.0}}, {}});
   const std::string text = equations_mathml(model).string();
-  const std::size_t begin = text.find("class=\"term"), end = text.find("</span>", begin);
+  const std::size_t begin = text.find("class=\"term\""), end = text.find("</span>", begin);
   const std::string term = text.substr(begin, end - begin);
   EXPECT_EQ(support::first_fault("<p><span " + term + "</span></p>"), "") << formula;
   int count = 0;
