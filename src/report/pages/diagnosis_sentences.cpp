@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "core/base/text.hpp"
+#include "folded_text.hpp"
 #include "lacuna/core/statistics/interval.hpp"
 #include "readable.hpp"
 
@@ -129,7 +130,7 @@ void report_changes(const Diagnosis& diagnosis, Sentences& out) {
     if (std::abs(change.estimated - change.nominal) < 1e-3 * std::abs(change.nominal)) continue;
     ++written;
     out.push_back("Equation " + state_name(diagnosis, change.equation) +
-                  ": the coefficient of " + change.term + " is " +
+                  ": the coefficient of " + readable_formula(change.term, {}) + " is " +
                   with_error(change.estimated, kNormalQuantile975 * change.deviation) +
                   ", not " + format_number(change.nominal, 6) + " (" +
                   format_number(change.sigma, 3) + " sigma).");
@@ -184,7 +185,9 @@ std::string gap_sentence(const Gap& gap) {
       before == after
           ? "stays at " + after
           : (gap.after < gap.before ? "falls from " : "rises from ") + before + " to " + after;
-  return "On records not used (" + join(gap.records, ", ") + ") the gap " + change +
+  std::vector<std::string> records;
+  for (const std::string& record : gap.records) records.push_back(short_name(record));
+  return "On records not used (" + briefly(records, "; ") + ") the gap " + change +
          " (noise floor " + percent(gap.noise_floor) + ").";
 }
 
@@ -233,7 +236,7 @@ DiagnosisSentences sentences_of(const Diagnosis& diagnosis) {
   if (diagnosis.remaining.structure) report_remaining(diagnosis, all.findings);
   if (diagnosis.unnamed) report_unnamed(diagnosis, *diagnosis.unnamed, all.findings);
   if (diagnosis.gap) all.findings.push_back(gap_sentence(*diagnosis.gap));
-  for (const std::string& note : diagnosis.notes) all.notes.push_back(note + ".");
+  for (const std::string& note : said_once(diagnosis.notes)) all.notes.push_back(note + ".");
   return all;
 }
 

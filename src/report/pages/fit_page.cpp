@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "core/base/text.hpp"
+#include "folded_text.hpp"
 #include "readable.hpp"
 #include "report/pages/pages.hpp"
 #include "report/plot/mathml.hpp"
@@ -69,7 +70,7 @@ Page fit_page(const Fit& fit) {
   page.tone = !standing.converged   ? Tone::Bad
               : standing.is_sound() ? Tone::Good
                                     : Tone::Doubtful;
-  page.findings = fit.notes;
+  page.findings = said_once(fit.notes);
   page.equations = equations_mathml(fit.model.model());
   page.sections.push_back(numbers_section(fit));
   const std::vector<GapRecord> runs = runs_of(fit);

@@ -114,11 +114,11 @@ TEST(RowFigure, BarsAreAsLongAsTheirValues) {
 }
 
 TEST(RowFigure, IntervalsHaveWhiskersAndLongNamesAreCut) {
-  RowFigure figure{"rows", "", "", {{std::string(200, 'n'), 1.0, 0.5, 2.0}}, true};
+  RowFigure figure{"rows", "", "", {{std::string(400, 'n'), 1.0, 0.5, 2.0}}, true};
   const std::string svg = draw(figure).svg.string();
   EXPECT_EQ(count(svg, "class=\"whisker\""), 3);
   EXPECT_THAT(svg, HasSubstr("\u2026</text>"));
-  EXPECT_THAT(svg, HasSubstr(std::string(200, 'n') + ": 1")) << "the whole name is a tooltip";
+  EXPECT_THAT(svg, HasSubstr(std::string(400, 'n') + ": 1")) << "the whole name is a tooltip";
   figure.rows[0].high.reset();
   EXPECT_EQ(count(draw(figure).svg.string(), "class=\"whisker\""), 0);
 }
@@ -131,6 +131,21 @@ TEST(RowFigure, LongNamesStandAboveTheirBars) {
   EXPECT_THAT(above, HasSubstr(">" + name + "</text>"));
   EXPECT_EQ(count(beside, "text-anchor=\"end\""), 1) << "beside its bar";
   EXPECT_EQ(count(above, "text-anchor=\"end\""), 0);
+}
+
+/// For a phone: what a picture says is whole there, in lines of its own where that takes them.
+TEST(Picture, IsDrawnForAPhoneToo) {
+  LineFigure figure = lines();
+  figure.title = "v [m/s]: measured minus model in windows of 3.9 s";
+  const std::string wide = draw(figure).svg.string(), narrow = draw(figure).narrow.string();
+  EXPECT_EQ(support::first_fault(narrow), "");
+  EXPECT_THAT(wide, HasSubstr(">" + figure.title + "</text>"));
+  EXPECT_THAT(narrow, Not(HasSubstr(">" + figure.title + "</text>")));
+  EXPECT_THAT(narrow, HasSubstr("viewBox=\"0 0 360 "));
+  EXPECT_THAT(narrow, Not(HasSubstr("\u2026")));
+  EXPECT_THAT(wide, Not(HasSubstr(" narrow\"")));
+  const RowFigure rows{"rows", "", "", {{"sin(2*pi*0.7102*t+1.561) in dv/dt", 1.0}}};
+  EXPECT_THAT(draw(rows).narrow.string(), HasSubstr(">sin(2*pi*0.7102*t+1.561) in dv/dt</text>"));
 }
 
 TEST(OrbitFigure, BringsNumbersForTurning) {
