@@ -84,8 +84,8 @@ tip.style.left=Math.min(e.clientX+14,window.innerWidth-tip.offsetWidth-8)+'px';
 tip.style.top=(e.clientY+14)+'px';});
 svg.addEventListener('pointerleave',function(){tip.style.display='none';});});
 each(document,'.orbit',function(svg){
-var turn=0.7,tilt=0.45,v=svg.viewBox.baseVal,top=30,scale=0.31*(v.height-top)/1000;
-var curves=[];each(svg,'path[data-points]',function(path){
+var turn=0.7,tilt=0.45,v=svg.viewBox.baseVal,top=30,curves=[];
+var scale=0.31*Math.min(v.height-top,v.width-40)/1000;each(svg,'path[data-points]',function(path){
 curves.push([path,path.dataset.points.split(' ').map(function(t){
 return t==='-'?null:t.split(',').map(Number);})]);});
 function seen(p){var x=p[0]*Math.cos(turn)-p[1]*Math.sin(turn);

@@ -53,7 +53,8 @@ Eigen::Vector2d projected(const Eigen::Vector3d& point, double width) {
   const double x = point[0] * std::cos(kTurn) - point[1] * std::sin(kTurn);
   const double depth = point[0] * std::sin(kTurn) + point[1] * std::cos(kTurn);
   const double y = point[2] * std::cos(kTilt) + depth * std::sin(kTilt);
-  const double scale = 0.31 * (kHeight - kTop) / kUnits;
+  // Beside the orbit there is room for the labels of its axes.
+  const double scale = 0.31 * std::min(kHeight - kTop, width - 40.0) / kUnits;
   return {width / 2.0 + scale * x, kTop + (kHeight - kTop) / 2.0 - scale * y};
 }
 

@@ -159,6 +159,24 @@ TEST(OrbitFigure, BringsNumbersForTurning) {
   EXPECT_EQ(count(svg, "class=\"spatial\""), 3);
 }
 
+/// Labels of the axes stand inside, on a phone too.
+TEST(OrbitFigure, HasRoomForItsLabels) {
+  const OrbitFigure figure{
+      "orbit", "Orbit", {"x [m/s]", "y [m/s]", "z"}, {{"model", Matrix::Random(9, 3)}}};
+  const Picture picture = draw(figure);
+  const auto expect_inside = [](const std::string& svg, double width) {
+    for (std::size_t at = svg.find("class=\"spatial\""); at != std::string::npos;
+         at = svg.find("class=\"spatial\"", at + 1)) {
+      const std::size_t label = svg.find("<text x=\"", at);
+      const double x = std::stod(svg.substr(label + 9));
+      EXPECT_GT(x, 24.0);
+      EXPECT_LT(x, width - 24.0);
+    }
+  };
+  expect_inside(picture.svg.string(), 760.0);
+  expect_inside(picture.narrow.string(), 360.0);
+}
+
 TEST(Picture, HasItsNumbers) {
   const Picture picture = draw(lines());
   const auto* const figure = std::get_if<LineFigure>(&picture.figure);
