@@ -71,7 +71,8 @@ void admit_verdict(Diagnosis& diagnosis, const DecisionOptions& decision, double
   diagnosis.admission =
       admit({.claim = claim,
              .stages = deciding(diagnosis.stages, claim),
-             .changed = changed(diagnosis.coefficient_changes, decision.significance),
+             .changed = changed(diagnosis.coefficient_changes, decision.significance) +
+                        (diagnosis.combined_change ? 1 : 0),
              .still = withheld_by(diagnosis.hints) == Withheld::Claims,
              .memory = memory_of(diagnosis, decision, duration)});
   switch (diagnosis.admission.standing) {

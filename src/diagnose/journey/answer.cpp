@@ -414,6 +414,10 @@ Diagnosis make_answer(const Problem& problem, Judged judged, std::optional<Gap> 
   result.notes.insert(result.notes.end(), inputs.begin(), inputs.end());
   if (!evaluation.lower && !evaluation.note.empty()) result.notes.push_back(evaluation.note);
   result.reservations = std::move(doubts);
+  if (alone == Verdict::CoefficientsOnly)
+    result.combined_change =
+        combined_change(problem.nominal, fit, base.fit_options.free.size(),
+                        problem.options.decision.significance);
   add_notes(problem, result);
   result.adequacy = adequacy_on(problem, fit.noise, result.remaining, result.gap);
   result.hints = identifiability_hints(problem, base, fit);

@@ -122,6 +122,18 @@ Json changes_json(const Diagnosis& diagnosis) {
   return list;
 }
 
+Json combined_json(const Diagnosis& diagnosis) {
+  if (!diagnosis.combined_change) return {};
+  const CombinedChange& change = *diagnosis.combined_change;
+  return {{"equation", state_name(diagnosis, change.equation)},
+          {"terms", {change.first, change.second}},
+          {"weights", {1.0, change.weight}},
+          {"nominal", change.nominal},
+          {"estimated", change.estimated},
+          {"ci95", interval_json(change.estimated, change.ci95())},
+          {"sigma", change.sigma}};
+}
+
 Json free_run_json(const Gap& gap) {
   if (!gap.free_after) return {};
   const auto apart = [](const std::optional<RunApart>& run) {
@@ -226,6 +238,7 @@ std::string format_json(const Diagnosis& diagnosis) {
   for (const NamedEffect& effect : diagnosis.effects)
     json["effects"].push_back(to_json(diagnosis, effect));
   json["coefficient_changes"] = changes_json(diagnosis);
+  json["combined_change"] = combined_json(diagnosis);
   json["adequacy"] = adequacy_json(diagnosis.adequacy);
   json["gap"] = diagnosis.gap ? gap_json(*diagnosis.gap) : Json();
   json["remaining"] = remaining_json(diagnosis);

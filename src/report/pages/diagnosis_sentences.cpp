@@ -137,6 +137,16 @@ void report_changes(const Diagnosis& diagnosis, Sentences& out) {
   }
 }
 
+/// Two coefficients that are off together.
+std::string combined_sentence(const Diagnosis& diagnosis, const CombinedChange& change) {
+  return "Equation " + state_name(diagnosis, change.equation) + ": the coefficient of " +
+         change.first + (change.weight < 0.0 ? " less " : " plus ") +
+         format_number(std::abs(change.weight), 4) + " times that of " + change.second +
+         " is " + with_error(change.estimated, kNormalQuantile975 * change.deviation) + ", not " +
+         format_number(change.nominal, 6) + " (" + format_number(change.sigma, 3) +
+         " sigma); how much each is off is not determined.";
+}
+
 /// Where the nominal model and the records disagree most, in a state or input.
 std::string main_place(const Diagnosis& diagnosis, Index equation) {
   for (const Disagreement& entry : diagnosis.disagreement)
@@ -227,6 +237,8 @@ DiagnosisSentences sentences_of(const Diagnosis& diagnosis) {
     report_effect(diagnosis, effect, all.findings);
   if (diagnosis.verdict == Verdict::CoefficientsOnly || !diagnosis.effects.empty())
     report_changes(diagnosis, all.findings);
+  if (diagnosis.combined_change)
+    all.findings.push_back(combined_sentence(diagnosis, *diagnosis.combined_change));
   for (const SmallestEffect& least : diagnosis.smallest_effects)
     all.findings.push_back("Equation " + state_of(diagnosis, least.equation).name +
                            ": a missing rate would have been seen from " +

@@ -114,6 +114,10 @@ TEST(AdmitVerdict, CoefficientsAreOffOnlyWhereOneIs) {
   admit_verdict(one, {}, 10.0);
   EXPECT_EQ(one.verdict, Verdict::CoefficientsOnly);
   EXPECT_TRUE(one.smallest_effects.empty());
+  Diagnosis pair = made(Verdict::CoefficientsOnly);
+  pair.combined_change = CombinedChange{.first = "x", .second = "x^2", .weight = 2.0};
+  admit_verdict(pair, {}, 10.0);
+  EXPECT_EQ(pair.verdict, Verdict::CoefficientsOnly) << "a named combination";
   Diagnosis together = made(Verdict::CoefficientsOnly);
   together.coefficient_changes[1].determined = false;
   admit_verdict(together, {}, 10.0);
