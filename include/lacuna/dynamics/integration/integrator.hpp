@@ -65,8 +65,8 @@ class Integrator : public StageInterface {
   /// Order p of the method: the error falls as h^p.
   virtual int order() const = 0;
 
-  /// Whether a step is as long as its caller makes it, so that halving it shows what it is off by;
-  /// else steps adapt to tolerances.
+  /// Whether a step is as long as its caller makes it, so that halving it shows what it is off
+  /// by; else steps adapt to tolerances.
   virtual bool has_fixed_steps() const { return false; }
 
   /// A stepper for m states; it takes the size of divergence from the state it first sees.

@@ -66,9 +66,9 @@ struct SyncResult {
   std::optional<double> conditional_exponent = {};
 
   /// Of an integrator with fixed steps, per trajectory: what these add to `states`, measured by
-  /// halving them once, with two samples more in the polynomial between samples. For a method of
-  /// order p all but 2^-p of it. Empty where steps adapt, where the slave of half steps does not
-  /// get to the end, and where there are not so many samples.
+  /// halving them once, with two samples more in the polynomial between samples. For a method
+  /// of order p all but 2^-p of it. Empty where steps adapt, where the slave of half steps does
+  /// not get to the end, and where there are not so many samples.
   std::vector<Matrix> step_errors = {};
 
   IntegrationStatus status = IntegrationStatus::Completed;
@@ -94,11 +94,11 @@ Matrix default_coupling(const Dataset& record);
 Dataset long_enough(Dataset record, const Integrator& integrator);
 
 /// Synchronises the model with every trajectory of the record. An integrator with fixed steps
-/// makes one per sample, and where the slave diverges so as many as it needs (SyncResult::stiff),
-/// as one whose steps adapt always does; in the step t_n ..
-/// t_{n+1} the record (and the inputs) are the Lagrange polynomial through p points for a
-/// method of order p, LagrangeWindow::driving(p): t_{n-2} .. t_{n+1} for RK4. Delayed variables
-/// of the model are those of the record.
+/// makes one per sample, and where the slave diverges so as many as it needs
+/// (SyncResult::stiff), as one whose steps adapt always does; in the step t_n .. t_{n+1} the
+/// record (and the inputs) are the Lagrange polynomial through p points for a method of order
+/// p, LagrangeWindow::driving(p): t_{n-2} .. t_{n+1} for RK4. Delayed variables of the model
+/// are those of the record.
 /// @throws DataError when states or inputs of the model are not in the record or when a
 /// trajectory
 ///   has fewer samples than the polynomial needs, or values beyond the range of numbers;
