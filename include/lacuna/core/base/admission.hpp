@@ -43,6 +43,10 @@ struct VerdictBasis {
   /// Coefficients, and named combinations of them, that are off beyond significance: something
   /// that CoefficientsOff can point at.
   std::optional<Index> changed = {};
+  /// Numbers that the claim rests on and that the records do not determine.
+  std::vector<std::string> open = {};
+  /// Whether the records would show the opposite of the claim.
+  bool shows_opposite = true;
 };
 
 /// The answer of admit().
@@ -60,7 +64,9 @@ struct Admission {
 ///
 /// Refused are
 /// - any claim that a stage could change that was left out: Incomplete;
-/// - CoefficientsOff with no coefficient and no combination to point at: Undetermined.
+/// - CoefficientsOff with no coefficient and no combination to point at: Undetermined;
+/// - any claim that rests on numbers that the records do not determine: Undetermined;
+/// - any claim of which the records would not show the opposite: Undetermined.
 Admission admit(const VerdictBasis& basis);
 
 }  // namespace lacuna
