@@ -122,7 +122,8 @@ std::vector<StageDone> stages_of(const FitOptions& options, const FitSearch& sea
   std::vector<StageDone> stages = {stage("fit", false, search.best.in_time),
                                    stage("starts", true, search.in_time)};
   if (!options.rough)
-    stages.push_back(stage("profiles", !options.profile, known.in_time));
+    stages.push_back(
+        stage("profiles", !options.profile, known.in_time && search.best.in_time));
   return stages;
 }
 
