@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Sets up, builds with warnings as errors and runs all tests; tells which were skipped.
+# Sets up, builds with warnings as errors and runs all tests; prints the time of each executable
+# and which tests were skipped.
 # Usage: scripts/check.sh [--none-skipped] [PRESET]
 #   PRESET          check, dev, variant, asan-ubsan, tsan; default check
 #   --none-skipped  a skipped test is a failure
@@ -15,8 +16,9 @@ case $preset in
 esac
 cmake --preset "$preset"
 cmake --build --preset "$preset"
-results=$PWD/build/$preset/tests.xml
-ctest --preset "$preset" -j "$(nproc)" --output-junit "$results"
-if scripts/skipped.py "$results" || ! $none_skipped; then exit 0; fi
+results=build/$preset/test_results
+rm -rf "$results"
+ctest --preset "$preset" -j "$(nproc)"
+if scripts/tests_run.py "$results" || ! $none_skipped; then exit 0; fi
 echo "check: every test has to run here; scripts/setup.sh check installs what they need" >&2
 exit 1

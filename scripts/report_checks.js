@@ -25,6 +25,12 @@ function seen() {
   document.querySelectorAll('details').forEach(one => { one.open = true; });
   if (document.documentElement.scrollWidth > innerWidth)
     faults.push(`it scrolls sideways: ${document.documentElement.scrollWidth} in ${innerWidth}`);
+  for (const term of document.querySelectorAll('.equations .term')) {
+    const line = term.parentElement.getBoundingClientRect();
+    for (const piece of term.querySelectorAll('math'))
+      if (piece.getBoundingClientRect().right > line.right + 1)
+        faults.push(`a term is cut: '${term.textContent.trim()}'`);
+  }
 
   // Texts of one picture do not lie on each other; half a pixel is rounding.
   const overlap = (a, b) => Math.min(a.right, b.right) - Math.max(a.left, b.left) > 0.5 &&
@@ -73,7 +79,8 @@ function seen() {
 async function keyboard(page) {
   const wanted = await page.evaluate(() => {
     document.querySelectorAll('details').forEach(one => { one.open = true; });
-    const all = [...document.querySelectorAll('.key, summary, svg.orbit, a[href], button')];
+    const all = [...document.querySelectorAll('.key, summary, svg.orbit, a[href], button')]
+        .filter(one => one.getClientRects().length);
     all.forEach((one, i) => { one.dataset.reach = i; });
     return all.length;
   });

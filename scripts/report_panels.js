@@ -33,7 +33,7 @@ function rms(points) {
 /** Curves of each picture by the names of their series, pictures by their titles. */
 function picturesOf(page) {
   const pictures = new Map();
-  for (const svg of page.querySelectorAll('svg.lines')) {
+  for (const svg of page.querySelectorAll('svg.lines:not(.narrow)')) {
     const plot = svg.querySelector('.plot'), curves = new Map();
     for (const path of plot.querySelectorAll('path[data-series]'))
       curves.set(path.dataset.label, valuesOf(path, plot));
@@ -83,7 +83,7 @@ function compareOrbits(page, pictures, shown, same) {
   const plane = pictures.get('Orbit') || new Map();
   const ranges = [0, 1].map(k => Math.max(...[...plane.values()].map(curve => span(curve, k))));
   for (const [name, points] of plane) compareOrbit(shown, points, name, ranges, same);
-  for (const path of page.querySelectorAll('svg.orbit path[data-points]')) {
+  for (const path of page.querySelectorAll('svg.orbit:not(.narrow) path[data-points]')) {
     const ends = path.dataset.ranges.split(' ').map(Number);
     const sizes = [0, 1, 2].map(k => ends[2 * k + 1] - ends[2 * k]);
     const points = path.dataset.points.split(' ').filter(one => one !== '-').map(

@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
 # Reports of six kinds, checked in Chromium at 390 and 1 400 pixels, light and dark: axe-core finds
-# nothing serious, no text lies on another, nothing scrolls sideways, what answers a click answers
-# the keyboard, text has a contrast of 4.5; pictures that show the same agree to 1e-6 of its
-# range, with one another and with the JSON, as they are read from what is drawn.
+# nothing serious, no text lies on another, nothing scrolls sideways, every term of the equations
+# is whole within its line, what answers a click answers the keyboard, text has a contrast of 4.5;
+# pictures that show the same agree to 1e-6 of its range, with one another and with the JSON, as
+# they are read from what is drawn.
 # Usage: scripts/reports.sh [PROGRAM]   (needs node, npm and Chromium; writes build/reports)
 set -euo pipefail
 cd "$(dirname "$0")/.."

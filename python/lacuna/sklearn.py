@@ -68,6 +68,8 @@ class ODERegressor(RegressorMixin, BaseEstimator):  # type: ignore[misc]
         Number m of states.
     input_names_in_ : list of str
         Columns of frames that are inputs, where ``u=`` names them.
+    time_name_in_ : str or None
+        Column of frames that is the time, where ``t=`` names it.
 
     Notes
     -----
@@ -127,6 +129,7 @@ class ODERegressor(RegressorMixin, BaseEstimator):  # type: ignore[misc]
         if t is None and _increases(y):
             warn("y increases as times do and is not used; times are given as t=")
         self.input_names_in_ = _names_in(u)
+        self.time_name_in_ = t if isinstance(t, str) else None
         records, _ = self._read(X, t, u, x_dot, is_first=True)
         self.result_ = identify(
             records,
@@ -270,9 +273,9 @@ class ODERegressor(RegressorMixin, BaseEstimator):  # type: ignore[misc]
             part if is_frame(part) else self._checked(part, first)
             for part, first in zip(parts, firsts, strict=True)
         ]
+        if not is_first:
+            t, u = self._named_in(parts, t, u)
         is_said = t is not None or all(is_frame(part) and says_time(part) for part in parts)
-        if u is None and not is_first:
-            u = self._inputs_in(parts)
         names = [str(name) for name in self.feature_names or ()]
         count = 0 if is_frame(states[0]) else states[0].shape[1]
         behind = names[count:] if count else []
@@ -298,11 +301,15 @@ class ODERegressor(RegressorMixin, BaseEstimator):  # type: ignore[misc]
                 records.call_states(names[: len(labels)])
         return records, states
 
-    def _inputs_in(self, parts: list[Any]) -> list[str] | None:
-        """The columns of frames that were inputs in `fit`."""
-        names = getattr(self, "input_names_in_", [])
-        are_there = all(is_frame(part) and set(names) <= set(labels_of(part)) for part in parts)
-        return names if names and are_there else None
+    def _named_in(self, parts: list[Any], t: Any, u: Any) -> tuple[Any, Any]:
+        """Times and inputs, or the columns of frames that were these in `fit`."""
+        time, inputs = getattr(self, "time_name_in_", None), getattr(self, "input_names_in_", [])
+        known = [set(labels_of(part)) if is_frame(part) else set() for part in parts]
+        if t is None and all(time in labels for labels in known):
+            t = time
+        if u is None and inputs and all(labels >= set(inputs) for labels in known):
+            u = inputs
+        return t, u
 
     @property
     def complexity(self) -> int:

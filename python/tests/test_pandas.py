@@ -134,6 +134,11 @@ def test_a_frame_without_a_time_has_the_step_of_the_estimator(tank: pd.DataFrame
     counted = bare.assign(stand=np.arange(len(bare)) * 0.02)[["stand", "level"]]
     with pytest.warns(lacuna.LacunaWarning, match="t='stand' makes it the time"):
         ODERegressor(preset="sindy", degree=1).fit(counted)
+    named = counted.assign(inflow=bare["inflow"])
+    fit = ODERegressor(preset="sindy", degree=1).fit(named, t="stand", u="inflow")
+    assert fit.model_.terms == TERMS
+    assert fit.score(named) > 0.999
+    assert list(fit.predict(named).columns) == ["level"]
 
 
 def test_numbers_in_the_place_of_names_are_those_of_an_array(tank: pd.DataFrame) -> None:

@@ -15,6 +15,7 @@ import sys
 GAP = 1.5            # times its noise floor that a gap of an explained record may be
 SEEN = 0.002         # share of the spread below which a gap is of no size
 SIGNIFICANT = 3.0    # standard deviations
+TIME_IS_UP = "the time limit came first"
 OPEN = 2.0           # noise floors, be it by chance or not
 UNDETERMINED = 1e6   # half an interval over its number from which on a word has to be said
 NUMBER = r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?"
@@ -180,6 +181,11 @@ def diagnosis_faults(json):
                 found.append("explained without a gap")
         elif after > max(GAP * floor, SEEN) and is_above(gap):
             found.append("%s beside a gap of %g and a floor of %g" % (verdict, after, floor))
+    cut = [one["stage"] for one in json.get("stages", []) if one.get("why") == TIME_IS_UP]
+    if cut and verdict != "incomplete":
+        found.append("%s, and %s were left out" % (verdict, ", ".join(cut)))
+    if (verdict in ("incomplete", "undetermined")) != bool(json.get("why")):
+        found.append("%s without a reason, or with one that is none" % verdict)
     if gap and gap.get("before") == 0 and gap.get("after") == 0:
         found.append("a gap of nothing")
     return found

@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "integration/program.hpp"
+#include "report/plot/markup.hpp"
 #include "support/well_formed.hpp"
 
 namespace lacuna::testing {
@@ -128,6 +129,20 @@ std::string browser() {
   return "";
 }
 
+/// The title that a script gives to a page in a browser.
+std::string title_in(const std::string& program, const TemporaryFolder& folder,
+                     const std::string& html, const std::string& options = "") {
+  const std::string path = folder.write("tried.html", html), out = folder.file("dom");
+  const std::string run = "timeout 120 " + program +
+                          " --headless --no-sandbox --disable-gpu --user-data-dir='" +
+                          folder.file("profile") + "' " + options + " --dump-dom 'file://" + path +
+                          "' > '" + out + "' 2> /dev/null";
+  EXPECT_EQ(std::system(run.c_str()), 0);
+  const std::string dom = folder.read("dom");
+  const std::size_t begin = dom.find("<title>") + 7;
+  return dom.substr(begin, dom.find("</title>") - begin);
+}
+
 /// What a browser makes of a page with a script behind it that tries what a reader does.
 std::string tried(const std::string& program, const TemporaryFolder& folder, std::string html) {
   const std::string script = R"(<script>
@@ -141,19 +156,70 @@ var r=svg.getBoundingClientRect(),v=svg.viewBox.baseVal;
 svg.dispatchEvent(new PointerEvent('pointermove',{clientX:r.left+p[0]*r.width/v.width,
 clientY:r.top+p[1]*r.height/v.height}));
 var tip=document.querySelector('.tip');said.push(tip.style.display,tip.textContent);
-var all=[...document.querySelectorAll('path[data-series]')];
+var all=[...document.querySelectorAll('svg:not(.narrow) path[data-series]')];
 said.unshift(all.filter(p=>p.getBBox().width>0).length+' of '+all.length+' drawn');
 document.title=said.join('|').replace(/\n/g,'|');</script></body>)";
   html.replace(html.rfind("</body>"), 7, script);
-  const std::string path = folder.write("tried.html", html), out = folder.file("dom");
-  const std::string run = "timeout 120 " + program +
-                          " --headless --no-sandbox --disable-gpu --user-data-dir='" +
-                          folder.file("profile") + "' --dump-dom 'file://" + path + "' > '" +
-                          out + "' 2> /dev/null";
-  EXPECT_EQ(std::system(run.c_str()), 0);
-  const std::string dom = folder.read("dom");
-  const std::size_t begin = dom.find("<title>") + 7;
-  return dom.substr(begin, dom.find("</title>") - begin);
+  return title_in(program, folder, html);
+}
+
+/// Looks at a page in a frame, as windows of a browser are no narrower than 500 pixels.
+/// @return "TERMS terms, NEW new; " and what is wrong.
+std::string looked_at(const std::string& program, const TemporaryFolder& folder,
+                      const std::string& html, int width) {
+  const std::string script = R"(<script>onload=function(){
+var page=document.querySelector('iframe').contentDocument,root=page.documentElement,faults=[];
+if(root.clientWidth!==WIDTH)faults.push('width '+root.clientWidth);
+if(root.scrollWidth>WIDTH)faults.push('scrolls sideways: '+root.scrollWidth);
+var terms=[...page.querySelectorAll('.equations .term')];
+terms.forEach(function(term){var line=term.parentElement.getBoundingClientRect();
+term.querySelectorAll('math').forEach(function(piece){var box=piece.getBoundingClientRect();
+if(!(box.width>0)||box.left<line.left-1||box.right>line.right+1)
+faults.push('cut: '+term.textContent);});});
+page.querySelectorAll('.equations,.wide,figure').forEach(function(one){
+if(one.scrollWidth>one.clientWidth+1)faults.push('cut: '+(one.id||one.textContent));});
+var news=terms.filter(function(term){return term.matches('.new');});
+news.forEach(function(term){var box=term.getBoundingClientRect();
+terms.forEach(function(other){var its=other.getBoundingClientRect();
+if(other!==term&&Math.min(box.bottom,its.bottom)-Math.max(box.top,its.top)>0.3*its.height)
+faults.push('beside another: '+term.textContent);});});
+document.title=terms.length+' terms, '+news.length+' new; '+faults.join(' | ');};</script>)";
+  const std::string wide = std::to_string(width);
+  std::string frame = "<title></title><body style=\"margin:0\">" + script +
+                      "<iframe style=\"border:0;width:" + wide + "px;height:3000px\" srcdoc=\"" +
+                      escape_markup(html) + "\"></iframe></body>";
+  for (std::size_t at = 0; (at = frame.find("WIDTH", at)) != std::string::npos;)
+    frame.replace(at, 5, wide);
+  return title_in(program, folder, frame, "--hide-scrollbars --window-size=1400,3000");
+}
+
+/// A spring with one term more than the model, one that is wider than a phone, and a long equation.
+TEST_F(Reports, TermsOfEquationsAreWholeOnPaperAndOnAPhone) {
+  const std::string program = browser();
+  if (program.empty()) GTEST_SKIP() << "there is no Chromium here";
+  const std::string bench = folder_.write(
+      "bench.ode",
+      "state x [m]\nstate v [m/s]\ndx/dt = v\ndv/dt = -4*x - 0.2*v - 1.5*x^3 + 2*sin(1.3*t) + "
+      "0.3*tanh(x/0.12345)*cos(0.98765*v)*exp(-(x/1.2345)^2)*(1 + 0.54321*abs(v))\n"
+      "F = 2*sin(1.3*t)\n");
+  const std::string nominal = folder_.write(
+      "nominal.ode",
+      "time s\ninput F hold smooth\nstate x [m]\nstate v [m/s]\ndx/dt = v\ndv/dt = -4*x - 0.2*v + "
+      "F + 0.3*tanh(x/0.12345)*cos(0.98765*v)*exp(-(x/1.2345)^2)*(1 + 0.54321*abs(v))\n");
+  const std::string wanted = folder_.file("bench.csv");
+  ASSERT_EQ(run_program("simulate '" + bench + "' --x0 0.5,0 --t-end 40 --dt 0.02 --noise " +
+                        "x=0.002,v=0.004 -o '" + wanted + "'")
+                .status,
+            0);
+  const std::string html =
+      page_of(folder_, "diagnose --model '" + nominal + "' '" + wanted + "'");
+  for (const int width : {390, 1280})
+    EXPECT_EQ(looked_at(program, folder_, html, width), "7 terms, 1 new; ") << width;
+  const std::string many = page_of(folder_, "identify '" + wanted + "' --states x,v --inputs F");
+  for (const int width : {390, 1280})
+    EXPECT_THAT(looked_at(program, folder_, many, width),
+                ::testing::MatchesRegex("[0-9]+ terms, 0 new; "))
+        << width;
 }
 
 TEST_F(Reports, CurvesAreHiddenByAClickAndValuesTold) {

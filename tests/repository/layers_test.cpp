@@ -146,19 +146,6 @@ TEST(Circles, NoTwoFoldersIncludeEachOther) {
   EXPECT_EQ(circles_in(edges), kCirclesLeft);
 }
 
-TEST(Layers, AWingHasAtMostEightChildren) {
-  ASSERT_FALSE(kFloors.empty());
-  const std::filesystem::path root = LACUNA_SOURCE_DIR;
-  for (const std::string place : {"src", "include/lacuna"})
-    for (const auto& floor : kFloors)
-      for (const std::string& wing : floor) {
-        const auto begin = std::filesystem::directory_iterator(root / place / wing);
-        const auto children = std::distance(begin, std::filesystem::directory_iterator());
-        EXPECT_GE(children, 1) << place << "/" << wing;
-        EXPECT_LE(children, 8) << place << "/" << wing;
-      }
-}
-
 TEST(Layers, PipelineReachesConcreteStagesOnlyInPresets) {
   ASSERT_FALSE(sources_below(kFolders).empty());
   for (const SourceFile& file : sources_below(kFolders)) {

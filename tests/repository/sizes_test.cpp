@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Small files, small folders, small functions.
+// Small files, small functions.
 #include <gtest/gtest.h>
 
-#include <map>
 #include <string>
 
 #include "repository/declarations.hpp"
@@ -35,15 +34,6 @@ TEST(Sizes, LinesHaveAtMost100Columns) {
   for (const SourceFile& file : sources_below(kOwnCode))
     for (std::size_t i = 0; i < file.lines.size(); ++i)
       EXPECT_LE(file.lines[i].size(), 100u) << file.path << ":" << i + 1;
-}
-
-TEST(Sizes, AtMost12HeadersInAFolder) {
-  std::map<std::string, int> headers;
-  for (const SourceFile& file :
-       sources_below({"include", "src", "bases", "solvers", "effects"}))
-    if (file.path.extension() == ".hpp") ++headers[file.path.parent_path().string()];
-  ASSERT_FALSE(headers.empty());
-  for (const auto& [folder, count] : headers) EXPECT_LE(count, 12) << folder;
 }
 
 TEST(Sizes, NoFunctionIsOver60Lines) {

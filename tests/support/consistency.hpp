@@ -158,7 +158,9 @@ inline void add_diagnosis(const Json& json, Faults& found) {
   const bool explained = verdict == "explained";
   const bool named = explained || verdict == "partly-explained";
   add_if(named && !effects, verdict + " without effects", found);
-  add_if(!named && effects, verdict + " with effects", found);
+  const bool refused = verdict == "undetermined" || verdict == "incomplete";
+  add_if(!named && !refused && effects, verdict + " with effects", found);
+  add_if(refused == json["why"].is_null(), verdict + " with the reason of another", found);
   add_if(left && (explained || verdict == "no-discrepancy" || verdict == "coefficients-only"),
          verdict + " with structure left", found);
   const Json& gap = json["gap"];

@@ -30,6 +30,23 @@ class WrittenHdf5 {
     H5Sclose(space);
   }
 
+  /// Adds n numbers that stand in another file, from its first byte on.
+  void add_stored_elsewhere(const std::string& name, const std::string& file, hsize_t n) const {
+    const hid_t made = H5Pcreate(H5P_DATASET_CREATE);
+    H5Pset_external(made, file.c_str(), 0, H5F_UNLIMITED);
+    add_empty(name, made, n);
+  }
+
+  /// Adds n numbers that are those of a data set of a file ("." is this one).
+  void add_virtual(const std::string& name, const std::string& file, const std::string& set,
+                   hsize_t n) const {
+    const hid_t made = H5Pcreate(H5P_DATASET_CREATE);
+    const hid_t space = H5Screate_simple(1, &n, nullptr);
+    H5Pset_virtual(made, space, file.c_str(), set.c_str(), space);
+    H5Sclose(space);
+    add_empty(name, made, n);
+  }
+
   void add_group(const std::string& name) const {
     H5Gclose(H5Gcreate2(file_, name.c_str(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT));
   }
@@ -45,6 +62,15 @@ class WrittenHdf5 {
   }
 
  private:
+  /// @param made how it is made, which is closed.
+  void add_empty(const std::string& name, hid_t made, hsize_t n) const {
+    const hid_t space = H5Screate_simple(1, &n, nullptr);
+    H5Dclose(H5Dcreate2(file_, name.c_str(), H5T_NATIVE_DOUBLE, space, H5P_DEFAULT, made,
+                        H5P_DEFAULT));
+    H5Sclose(space);
+    H5Pclose(made);
+  }
+
   hid_t file_;
 };
 

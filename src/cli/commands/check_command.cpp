@@ -28,6 +28,12 @@ bool is_all_measured(const OdeModel& model, const Dataset& data) {
   return true;
 }
 
+/// Samples of the longest record, short gaps bridged.
+Index longest_piece(const Dataset& data, GapOptions gaps) {
+  gaps.shortest_record = 2;
+  return longest_record(usable_records(data, gaps).data).samples();
+}
+
 /// The records in the variables of a model, with what is odd about the two together.
 DataSummary summary_for(const Differentiator& differentiator, const CheckRequest& options) {
   const OdeModel model = with_holds(load_flow(*options.model, "check --model"), options.data);
@@ -36,7 +42,15 @@ DataSummary summary_for(const Differentiator& differentiator, const CheckRequest
   const Dataset data = records_for(model, options.data, roles, differentiator, Columns::All);
   DataSummary summary = summarise(data, static_cast<Index>(model.inputs().size()));
   if (!is_all_measured(model, data)) return summary;  // slips are looked for where all is seen
-  const UsableRecords usable = usable_records(data);
+  const GapOptions gaps;
+  if (longest_piece(data, gaps) < gaps.shortest_record) {
+    summary.notes.push_back("no record has " + std::to_string(gaps.shortest_record) +
+                            " samples or more in a row: slips of units, signs and columns are "
+                            "not looked for, and `lacuna diagnose` wants more; `lacuna fit` "
+                            "takes so few");
+    return summary;
+  }
+  const UsableRecords usable = usable_records(data, gaps);
   summary.hints = look_at(model, observed(used_part(model, usable.data)),
                           unused_part(model, usable.data), HintOptions{});
   return summary;

@@ -11,6 +11,7 @@
 #include "records/channels/shown_holds.hpp"
 #include "report/pages/data_summary.hpp"
 #include "report/pages/pages.hpp"
+#include "report/pages/folded_text.hpp"
 #include "report_options.hpp"
 
 namespace lacuna::cli {
@@ -41,7 +42,7 @@ std::optional<Matrix> parse_coupling(const OdeModel& model, const std::string& t
 
 std::string notes_of(const Dataset& data, const SyncReport& report) {
   std::string lines;
-  for (const std::string& note : data.notes) lines += "Note: " + note + "\n";
+  for (const std::string& note : said_once(data.notes)) lines += "Note: " + note + "\n";
   if (report.result.stiff)
     lines +=
         "Note: the slave is faster than the samples: its steps between them were adapted\n";

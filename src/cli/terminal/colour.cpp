@@ -21,6 +21,7 @@ struct VerdictColour {
 /// How the sentences of verdicts begin; the first that fits counts.
 constexpr std::array kVerdicts = {
     VerdictColour{"No discrepancy", kGreen},
+    VerdictColour{"Explained but for", kYellow},
     VerdictColour{"Explained", kGreen},
     VerdictColour{"Fits to the noise", kGreen},
     VerdictColour{"Holds up to", kYellow},

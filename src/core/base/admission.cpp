@@ -12,6 +12,22 @@ Admission cut_search(const VerdictBasis& basis) {
   return {Standing::Incomplete, line, "leave it its time (--time-limit, --effort)"};
 }
 
+Admission nothing_moves(const VerdictBasis& basis) {
+  if (!basis.still) return {};
+  return {Standing::Undetermined,
+          "nothing moves in the records: they fit many models, and determine none",
+          "use records with motion"};
+}
+
+Admission slow_noise(const VerdictBasis& basis) {
+  if (!basis.memory || !(basis.memory->value > basis.memory->bound)) return {};
+  return {Standing::Undetermined,
+          "what is taken for noise has a memory of " +
+              format_number(100.0 * basis.memory->value, 2) +
+              " % of a record: that is not distinguished from structure that the model lacks",
+          "use longer records, or several"};
+}
+
 Admission nothing_to_point_at(const VerdictBasis& basis) {
   if (basis.claim != Claim::CoefficientsOff || !basis.changed || *basis.changed > 0) return {};
   return {Standing::Undetermined,
@@ -35,7 +51,8 @@ Admission not_shown(const VerdictBasis& basis) {
 }  // namespace
 
 Admission admit(const VerdictBasis& basis) {
-  for (const auto refusal : {cut_search, nothing_to_point_at, open_numbers, not_shown})
+  for (const auto refusal : {cut_search, nothing_moves, slow_noise, nothing_to_point_at,
+                             open_numbers, not_shown})
     if (Admission refused = refusal(basis); !refused.stands()) return refused;
   return {};
 }

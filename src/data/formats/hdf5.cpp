@@ -130,7 +130,41 @@ std::string not_numbers(const std::string& name) {
          "' is neither a vector nor a matrix of real numbers and is left out";
 }
 
-void collect_set(Handle set, const std::string& name, Found& found) {
+/// Where the numbers of a data set stand.
+enum class Storage {
+  Here,    ///< in the data set itself
+  Others,  ///< in other data sets of this file (a virtual one), which have names of their own
+};
+
+/// @throws DataError where that is another file, which a record has no business to name.
+Storage storage_of(const Handle& set, const std::string& name, const std::string& source) {
+  const auto refuse = [&] {
+    throw DataError(source,
+                    "the data set '" + name +
+                        "' keeps its numbers in another file, which is not read",
+                    "copy them into this file (h5repack -l CONTI)");
+  };
+  const Handle made(H5Dget_create_plist(set.get()), H5Pclose);
+  if (!made.is_open()) fail(source);
+  if (H5Pget_external_count(made.get()) != 0) refuse();
+  if (H5Pget_layout(made.get()) != H5D_VIRTUAL) return Storage::Here;
+  std::size_t parts = 0;
+  if (H5Pget_virtual_count(made.get(), &parts) < 0) fail(source);
+  for (std::size_t i = 0; i < parts; ++i) {
+    char file[2] = "";  // "." is this file
+    const ssize_t size = H5Pget_virtual_filename(made.get(), i, file, sizeof file);
+    if (size < 0) fail(source);
+    if (size != 1 || file[0] != '.') refuse();
+  }
+  return Storage::Others;
+}
+
+void collect_set(Handle set, const std::string& name, const std::string& source, Found& found) {
+  if (storage_of(set, name, source) == Storage::Others) {
+    found.notes.push_back("the data set '" + name +
+                          "' is put together from others, which are read by their own names");
+    return;
+  }
   const auto [rows, columns] = extent_of(set);
   if (columns == 0 || !has_real_numbers(set)) {
     found.notes.push_back(not_numbers(name));
@@ -164,7 +198,7 @@ void collect_group(const Handle& group, const std::string& before, int depth,
     if (kind == H5I_GROUP)
       collect_group(object, name + ".", depth + 1, source, found);
     else if (kind == H5I_DATASET)
-      collect_set(std::move(object), name, found);
+      collect_set(std::move(object), name, source, found);
     else
       found.notes.push_back(not_numbers(name));
   }

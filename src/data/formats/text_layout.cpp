@@ -54,7 +54,7 @@ struct LineKind {
   std::size_t fields = 0;
   std::size_t numbers = 0;
   std::size_t texts = 0;
-  bool filled = false;  ///< some field is not empty
+  bool filled = false;  ///< some field is neither empty nor a dash, which lines of names have too
 
   bool is_data() const { return texts == 0 && filled; }
   bool is_mixed() const { return texts > 0 && numbers > 0; }
@@ -69,7 +69,7 @@ LineKind kind_of(std::string_view line, char delimiter) {
     const TextField::Kind found = read_field(field).kind;
     kind.numbers += found == TextField::Kind::Number ? 1U : 0U;
     kind.texts += found == TextField::Kind::Text ? 1U : 0U;
-    kind.filled = kind.filled || !field.empty();
+    kind.filled = kind.filled || (!field.empty() && field != "-");
   }
   return kind;
 }

@@ -21,6 +21,19 @@ bool has_point(std::string_view field) {
          read_field(field).kind == TextField::Kind::Number;
 }
 
+/// "1,001", not "0,001" or "1,01".
+bool may_be_thousands(std::string_view field) {
+  constexpr std::size_t kThousands = 3;  // a fact of writing: digits of a group
+  const std::size_t begin = field.find_first_not_of("+-"), comma = field.find(',');
+  return field.size() - comma - 1 == kThousands && field[begin] != '0' &&
+         comma - begin <= kThousands;
+}
+
+/// Whether a missing value is a word; nothing and NaN are what everybody writes for one.
+bool says_missing(std::string_view field) {
+  return !field.empty() && !lower_case(field).ends_with("nan");
+}
+
 /// Why a line cannot be read, which may be damage of this line alone.
 class UnreadLine : public DataError {
  public:
@@ -35,7 +48,7 @@ class RowReader {
  public:
   /// @param line number of the first line.
   RowReader(std::string_view lines, const TextLayout& layout, const NumberStyle& style,
-            std::size_t line, Table& table, std::vector<BadLine>& bad)
+            std::size_t line, Table& table, std::vector<BadLine>& bad, MissingWords& missing)
       : cursor_(lines.data()),
         end_(lines.data() + lines.size()),
         layout_(layout),
@@ -47,7 +60,8 @@ class RowReader {
         table_(table),
         columns_(static_cast<Index>(layout.columns())),
         line_(line),
-        bad_(bad) {}
+        bad_(bad),
+        missing_(missing) {}
 
   /// @return number of the line behind the last one.
   std::size_t read() {
@@ -155,6 +169,7 @@ class RowReader {
       const TextField found = read_field(field);
       if (found.kind == TextField::Kind::Text) fail_text(field, column);
       if (is_doubtful(field)) fail_comma(field, column);
+      if (found.kind == TextField::Kind::Missing) note_missing(field, column);
       table_.values(row_, column) =
           style_.is_counted(column) ? counted(field, found.value) : found.value;
     }
@@ -171,12 +186,10 @@ class RowReader {
     return style_.has_points || points || (style_.delimiter == ',' && may_be_thousands(field));
   }
 
-  /// "1,001", not "0,001" or "1,01".
-  static bool may_be_thousands(std::string_view field) {
-    constexpr std::size_t kThousands = 3;  // a fact of writing: digits of a group
-    const std::size_t begin = field.find_first_not_of("+-"), comma = field.find(',');
-    return field.size() - comma - 1 == kThousands && field[begin] != '0' &&
-           comma - begin <= kThousands;
+  void note_missing(std::string_view field, Index column) {
+    if (!says_missing(field) || missing_.count++ > 0) return;
+    missing_.word = field;
+    missing_.place = line_place() + ":" + std::to_string(style_.place_of(column) + 1);
   }
 
   std::string line_place() const { return table_.source + ":" + std::to_string(line_); }
@@ -222,6 +235,7 @@ class RowReader {
   Index columns_;
   std::size_t line_;
   std::vector<BadLine>& bad_;
+  MissingWords& missing_;
   Index row_ = 0;
   Index stride_ = 0;  ///< between the columns of the table
   std::vector<std::string_view> fields_;
@@ -332,7 +346,7 @@ void TextRows::read_lines(std::string_view lines, Table& table) {
     lines = plain;
   }
   lines.remove_prefix(std::exchange(skipped_, 0));
-  line_ = RowReader(lines, format_.layout, style_, line_, table, bad_).read();
+  line_ = RowReader(lines, format_.layout, style_, line_, table, bad_, missing_).read();
   ends_.take(lines, table);
   samples_ += table.lines.size();
   if (!table.lines.empty()) last_sample_ = table.lines.back();
@@ -344,6 +358,10 @@ void TextRows::finish() {
   std::vector<std::string> ends = ends_.notes(file_columns_);
   std::move(notes.begin(), notes.end(), std::back_inserter(columns_.notes));
   std::move(ends.begin(), ends.end(), std::back_inserter(columns_.notes));
+  if (missing_.count > 0)
+    columns_.notes.push_back(missing_.place + ": " + std::to_string(missing_.count) +
+                             (missing_.count == 1 ? " cell says" : " cells say") +
+                             " that a value is missing, here '" + missing_.word + "'");
   if (!clocks_note_.empty())
     columns_.notes.push_back(columns_.source + ": " + clocks_note_);
 }

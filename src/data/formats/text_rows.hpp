@@ -17,6 +17,12 @@
 
 namespace lacuna {
 
+/// Cells with a word for a missing value: "n.d.", "#NV".
+struct MissingWords {
+  std::size_t count = 0;
+  std::string place = {}, word = {};  ///< of the first one
+};
+
 /// How a text is read, which its begin shows.
 struct TextFormat {
   /// So many bytes determine a dialect.
@@ -98,6 +104,7 @@ class TextRows {
   std::size_t line_;     ///< number of the next line in the file
   NumberStyle style_;
   std::vector<BadLine> bad_ = {};
+  MissingWords missing_ = {};
   std::string clocks_note_ = {};
   RangeEnds ends_ = {};
   std::size_t samples_ = 0, last_sample_ = 0;  ///< lines read, number of the last one

@@ -172,7 +172,24 @@ bool is_better(const Candidate& a, const Candidate& b) {
   return a.values - a.texts > b.values - b.texts;
 }
 
+/// Whether commas are those of decimals: most lines are numbers between other delimiters.
+bool are_decimal_commas(std::string_view begin) {
+  const auto is_numbers = [](const LogLine& line) {
+    return line.cells.size() > 1 &&
+           std::all_of(line.cells.begin(), line.cells.end(), [](const std::string& cell) {
+             return read_field(cell).kind == TextField::Kind::Number;
+           });
+  };
+  for (const char delimiter : {';', '\t', ' '}) {
+    const std::vector<LogLine> lines = lines_of(begin, delimiter);
+    const auto numbers = std::count_if(lines.begin(), lines.end(), is_numbers);
+    if (2 * static_cast<std::size_t>(numbers) > lines.size()) return true;
+  }
+  return false;
+}
+
 std::optional<Candidate> candidate(std::string_view begin, char delimiter) {
+  if (delimiter == ',' && are_decimal_commas(begin)) return std::nullopt;
   Candidate found{delimiter, lines_of(begin, delimiter), {}, {}};
   if (found.lines.empty()) return std::nullopt;
   const std::size_t count = usual_count(found.lines);

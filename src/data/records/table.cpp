@@ -46,12 +46,30 @@ std::string greek_at(std::string_view text, std::size_t i) {
   return greek_name(((first & 0x1FU) << 6U) | (second & 0x3FU));
 }
 
+/// Where the bracket opens that closes at the end of a text; npos where none does.
+std::size_t last_bracket(std::string_view text, char open, char close) {
+  int depth = 0;
+  for (std::size_t i = text.size(); i-- > 0;) {
+    if (text[i] == close) ++depth;
+    if (text[i] == open && --depth == 0) return i;
+    if (depth == 0) break;
+  }
+  return std::string_view::npos;
+}
+
+/// Digits right behind a name are an index of it: "position[0]"; "x [1]" has the unit 1.
+bool is_index(std::string_view inside, std::string_view before) {
+  const bool digits = !inside.empty() && std::all_of(inside.begin(), inside.end(), is_digit);
+  return digits && !(inside == "1" && before.ends_with(' '));
+}
+
 std::optional<Quantity> split_brackets(std::string_view text, char open, char close) {
-  if (text.empty() || text.back() != close) return std::nullopt;
-  const std::size_t begin = text.find(open);
+  const std::size_t begin = last_bracket(text, open, close);
   if (begin == std::string_view::npos) return std::nullopt;
-  const std::string_view unit = text.substr(begin + 1, text.size() - begin - 2);
-  return Quantity{std::string(trim(text.substr(0, begin))), std::string(trim(unit))};
+  const std::string_view before = text.substr(0, begin);
+  const std::string_view unit = trim(text.substr(begin + 1, text.size() - begin - 2));
+  if (is_index(unit, before)) return Quantity{std::string(text), ""};
+  return Quantity{std::string(trim(before)), std::string(unit)};
 }
 
 /// What stands in parentheses at the end and is a remark, no unit: "(SEN S/N: 1234, LBL: Tank)".

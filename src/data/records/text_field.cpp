@@ -2,6 +2,7 @@
 #include "data/records/text_field.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <limits>
 #include <optional>
@@ -20,12 +21,14 @@ std::string_view unquote(std::string_view text) {
   return quoted ? strip(text.substr(1, text.size() - 2)) : text;
 }
 
+/// What programs write in the place of a value that is not there ("NA" of R, "#NV" of Excel).
 bool is_missing(std::string_view field) {
-  if (field.empty()) return true;
-  if (field.size() > 4) return false;
+  constexpr std::array<std::string_view, 12> kWords{
+      "", "nan", "-nan", "na", "n/a", "n.d.", "nd", "-", "#nv", "#n/a", "null", "none"};
+  constexpr std::size_t kLongest = 4;
+  if (field.size() > kLongest) return false;
   const std::string word = lower_case(field);
-  return word == "nan" || word == "-nan" || word == "na" || word == "n/a" || word == "null" ||
-         word == "none";
+  return std::find(kWords.begin(), kWords.end(), word) != kWords.end();
 }
 
 std::optional<double> decimal_comma_number(std::string_view field) {

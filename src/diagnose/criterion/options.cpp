@@ -38,6 +38,11 @@ void describe_search(DecisionOptions& o, OptionVisitor& v) {
            "are an explanation only where the gap on other records is within this of its floor.",
            1.0},
           o.noise_inflation);
+  v.field({"longest_memory", "",
+           "Noise with a memory is sought up to this fraction of a record; where what is found "
+           "exceeds it, it is not distinguished from structure, and no verdict rests on it.",
+           0.0, 1.0},
+          o.longest_memory);
   v.field({"long_window", "mean periods",
            "Where structure is left, coefficients have to hold over windows of this length, "
            "and over at least so many windows.",
@@ -57,8 +62,8 @@ void describe_judgement(DecisionOptions& o, OptionVisitor& v) {
            1.0},
           o.pile_up);
   v.field({"explained_gap", "noise floors",
-           "A model is called explained only where the gap on records that were not used is "
-           "at most this large, allowing for chance.",
+           "A model is called explained only where the gap on other records is at most this "
+           "large, allowing for chance; beside names of effects 'noise_inflation' decides.",
            1.0},
           o.explained_gap);
   v.field({"open_gap", "noise floors",

@@ -141,9 +141,12 @@ void HintOptions::describe(OptionVisitor& v) {
 std::vector<Hint> look_at(const OdeModel& model, const BoundRecords& records,
                           const Dataset& unused, const HintOptions& options) {
   // A delayed value needs the record before a window; such models are taken as they are.
-  if (!model.compile().delays().empty()) return {};
-  const RateWindows windows = rate_windows(records);
-  if (windows.count() < kFewestWindows) return {};
+  const bool delayed = !model.compile().delays().empty();
+  const RateWindows windows = delayed ? RateWindows{} : rate_windows(records);
+  if (delayed || windows.count() < kFewestWindows) {
+    if (auto still = stillness(records, options)) return {std::move(*still)};
+    return {};
+  }
   std::vector<Hint> hints = other_causes(model, records, unused, windows, options);
   if (withheld_by(hints) != Withheld::Answer)
     append(hints, motion_hints(model, records, windows, options));

@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <numbers>
 #include <optional>
+#include <set>
 
 #include "core/base/text.hpp"
 #include "core/numerics/least_squares.hpp"
@@ -120,14 +122,41 @@ double significance_of_motion(const Dataset& data, Index state) {
   return freedom > 0.0 ? sigma_of_gain(sum, freedom, 1.0) : 0.0;
 }
 
+/// Standard deviation of a state about its mean.
+double size_of(const Dataset& data, Index state) {
+  return std::sqrt(variance(values_of(data, &Trajectory::states, state)));
+}
+
+/// Whether a state deviates from its mean by what its noise does, or never.
+bool hardly_moves(double size, double noise, const HintOptions& options) {
+  return size <= options.barely_moving * noise || size == 0.0;
+}
+
+/// Standard deviation of rounding to a lattice of the least difference of two values: what a
+/// state that rests between two of them shows.
+double rounding_of(const Dataset& data, Index state) {
+  const Vector values = values_of(data, &Trajectory::states, state);
+  std::set<double> distinct;
+  for (const double value : values)
+    if (std::isfinite(value)) distinct.insert(value);
+  double least = std::numeric_limits<double>::infinity();
+  for (auto above = distinct.begin(); above != distinct.end(); ++above)
+    if (above != distinct.begin()) least = std::min(least, *above - *std::prev(above));
+  return std::isfinite(least) ? least / std::sqrt(12.0) : 0.0;
+}
+
 /// Whether all that was measured is white noise, or never changes: no model is distinguished
-/// from another one by it.
-bool is_still(const BoundRecords& records, double significance) {
+/// from another one by it. Few samples are no significant motion, however smooth they are: so
+/// none of them may exceed its noise, or rounding, either.
+bool is_still(const BoundRecords& records, const HintOptions& options) {
   bool any = false;
   for (std::size_t k = 0; k < records.channels.size(); ++k) {
-    if (!records.channels[k].measured) continue;
-    if (significance_of_motion(records.data, static_cast<Index>(k)) >= significance)
-      return false;
+    const Channel& channel = records.channels[k];
+    if (!channel.measured) continue;
+    const auto state = static_cast<Index>(k);
+    if (significance_of_motion(records.data, state) >= options.significance) return false;
+    const double noise = std::max(known_noise(channel), rounding_of(records.data, state));
+    if (!hardly_moves(size_of(records.data, state), noise, options)) return false;
     any = true;
   }
   return any;
@@ -141,9 +170,9 @@ void add_state_hints(const OdeModel& model, const BoundRecords& records,
     const Channel& channel = records.channels[static_cast<std::size_t>(k)];
     if (!channel.measured) continue;
     const std::string& name = model.states()[static_cast<std::size_t>(k)].name;
-    const double size = std::sqrt(variance(values_of(records.data, &Trajectory::states, k)));
+    const double size = size_of(records.data, k);
     const double noise = known_noise(channel);
-    if (size <= options.barely_moving * noise || size == 0.0) {
+    if (hardly_moves(size, noise, options)) {
       hints.push_back(
           {HintKind::Excitation,
            name + " hardly moves" +
@@ -230,7 +259,7 @@ double steps_in_period(const Dataset& data, Index state, double sigma) {
 }
 
 std::optional<Hint> stillness(const BoundRecords& records, const HintOptions& options) {
-  if (!is_still(records, options.significance)) return std::nullopt;
+  if (!is_still(records, options)) return std::nullopt;
   return Hint{HintKind::Excitation,
               "nothing moves: what was measured is white noise, and neither effects nor "
               "coefficients can be determined by it",

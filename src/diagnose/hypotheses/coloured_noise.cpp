@@ -24,9 +24,10 @@ double mean_step(const Assimilation& fit) {
   return (time[time.size() - 1] - time[0]) / static_cast<double>(time.size() - 1);
 }
 
-/// A third of the record, in steps: what is slower is an offset.
-double longest_memory(const Assimilation& fit) {
-  return std::max(4.0, static_cast<double>(fit.records.front().samples()) / 3.0);
+/// In steps: what is slower is an offset.
+/// @param fraction of the record.
+double most_steps(const Assimilation& fit, double fraction) {
+  return std::max(4.0, fraction * static_cast<double>(fit.records.front().samples()));
 }
 
 /// Noise in the place of the disturbances: as large as what these do to a state in the
@@ -64,10 +65,11 @@ Tried best_of(const Assimilation& fit, const std::vector<NoiseModel>& starts,
 
 /// Correlation times from a grid, the same for all channels first, then each by itself;
 /// deviations are those of the largest likelihood on the linearisation as it is.
-NoiseModel with_coloured_noise(const Assimilation& fit, const RunContext& context) {
+NoiseModel with_coloured_noise(const Assimilation& fit, double fraction,
+                               const RunContext& context) {
   constexpr double kRatioOfNeighbours = 3.0;  // on the grid; refined below
   std::vector<NoiseModel> starts;
-  for (double steps = kRatioOfNeighbours; steps < longest_memory(fit);
+  for (double steps = kRatioOfNeighbours; steps < most_steps(fit, fraction);
        steps *= kRatioOfNeighbours)
     starts.push_back(coloured_start(fit, steps * mean_step(fit)));
   Tried best = best_of(fit, starts, context);
@@ -124,7 +126,7 @@ Proposals ColouredNoiseHypothesis::do_propose(const Problem& problem,
   problem.context.report("fitting noise with a memory", 0.0);
   const Assimilation& fitted = best.base->fitted;
   Assimilation start = fitted;
-  start.noise = with_coloured_noise(fitted, problem.context);
+  start.noise = with_coloured_noise(fitted, decision.longest_memory, problem.context);
   Assimilation coloured = assimilate_from(fitted.model, best.base->records->data, start,
                                           best.base->fit_options, problem.context);
   const std::string says = "noise with a memory";
@@ -143,6 +145,16 @@ Proposals ColouredNoiseHypothesis::do_propose(const Problem& problem,
   CompositeModel composite = bare_composite(problem, std::string(info().name), std::move(base));
   composite.findings = best.findings;
   return {{{std::move(composite)}}, {}};
+}
+
+double longest_memory(const NoiseModel& noise, double least) {
+  double longest = 0.0;
+  for (std::size_t k = 0; k < noise.coloured.size(); ++k) {
+    const auto& coloured = noise.coloured[k];
+    if (coloured && coloured->deviation >= least * noise.measurement[k].value_or(0.0))
+      longest = std::max(longest, coloured->time);
+  }
+  return longest;
 }
 
 std::string channels_with_memory(const NoiseModel& noise, const OdeModel& model, double least) {

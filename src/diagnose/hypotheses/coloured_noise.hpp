@@ -30,6 +30,10 @@ class ColouredNoiseHypothesis final : public Configured<Hypothesis, NoOptions<kC
 /// @param exact the nominal model as given on the records, which knows that.
 double noise_inflation(const NoiseModel& noise, const Assimilation& exact);
 
+/// The longest correlation time of noise with a memory worth reporting (`least` as below), in
+/// time units; 0 without any.
+double longest_memory(const NoiseModel& noise, double least);
+
 /// The channels whose noise has a memory worth reporting (more than `least` of the white
 /// part), with its standard deviation and correlation time: "v 0.15 m/s over 4 s".
 std::string channels_with_memory(const NoiseModel& noise, const OdeModel& model, double least);

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "lacuna/diagnose/hypotheses/composite_model.hpp"
 
+#include <algorithm>
+#include <utility>
+
+#include "core/base/text.hpp"
 #include "core/statistics/information.hpp"
 #include "diagnose/hypotheses/input_noise.hpp"
 #include "diagnose/search/effect_size.hpp"
@@ -17,6 +21,35 @@ double log_choices(const std::vector<NamedEffect>& named) {
 }
 
 }  // namespace
+
+std::string place_of(const NamedEffect& effect, const OdeModel& nominal) {
+  const std::string& state = nominal.states()[static_cast<std::size_t>(effect.equation)].name;
+  return effect.place == Place::Channel ? " of " + state : " in d" + state + "/dt";
+}
+
+std::string names_in_places(const std::vector<NamedEffect>& effects, const OdeModel& nominal) {
+  std::vector<std::string> names;
+  for (const NamedEffect& effect : effects)
+    names.push_back(effect.name + place_of(effect, nominal));
+  return join(names, " with ");
+}
+
+Twin twin_of(const std::vector<NamedEffect>& effects, const OdeModel& nominal,
+             std::string sentence) {
+  Twin twin{effects.empty() ? "nothing" : names_in_places(effects, nominal),
+            std::move(sentence)};
+  std::vector<std::string> said;
+  for (const NamedEffect& effect : effects) {
+    said.push_back(effect.description + " (" + effect.name + ")");
+    twin.measurement = twin.measurement || effect.place == Place::Channel;
+    if (std::find(twin.names.begin(), twin.names.end(), effect.name) == twin.names.end())
+      twin.names.push_back(effect.name);
+  }
+  if (twin.sentence.empty())
+    twin.sentence = "the records do not distinguish this from another explanation: " +
+                    join(said, " together with ");
+  return twin;
+}
 
 CompositeModel bare_composite(const Problem& problem, std::string hypothesis,
                               std::shared_ptr<const Baseline> base) {

@@ -49,6 +49,26 @@ std::vector<Hold> possible_holds(const Problem& problem, Index input) {
   return {Hold::Zero, Hold::Linear, Hold::Smooth, Hold::Switching};
 }
 
+bool repeats_samples(const Dataset& data, Index input) {
+  return std::any_of(data.trajectories.begin(), data.trajectories.end(),
+                     [&](const Trajectory& record) {
+                       const auto values = record.inputs.col(input);
+                       const Index n = values.size() - 1;
+                       return (values.tail(n).array() == values.head(n).array()).any();
+                     });
+}
+
+/// The holds that are asked before effects are sought. Of a dense input none of whose samples
+/// repeats the one before, nothing shows that it is held: zero would be half a step of delay,
+/// which belongs to whatever delays it. Where an effect of the input is that, rival_holds() asks.
+std::vector<Hold> evident_holds(const Problem& problem, Index input) {
+  std::vector<Hold> holds = possible_holds(problem, input);
+  if (holds == std::vector{Hold::Zero, Hold::Smooth} &&
+      !repeats_samples(problem.records.data, input))
+    holds.front() = Hold::Linear;
+  return holds;
+}
+
 std::string meaning(Hold hold) {
   switch (hold) {
     case Hold::Zero:
@@ -77,7 +97,7 @@ std::vector<TriedHold> tried_holds(const Problem& problem, const Holds& holds, I
   options.free = free_coefficients(problem.nominal);
   options.priors = problem.options.tolerances;
   std::vector<TriedHold> tried;
-  for (const Hold hold : possible_holds(problem, input)) tried.push_back({hold, INFINITY});
+  for (const Hold hold : evident_holds(problem, input)) tried.push_back({hold, INFINITY});
   parallel_for(tried.size(), problem.context.threads, [&](std::size_t h) {
     Holds assumed = holds;
     assumed[static_cast<std::size_t>(input)] = tried[h].hold;

@@ -16,7 +16,7 @@ namespace lacuna {
 namespace {
 
 /// What else the records allow, as far as there is time to ask.
-std::vector<std::string> rivals_in_time(const EffectSearch& search, const FoundEffects& found) {
+std::vector<Twin> rivals_in_time(const EffectSearch& search, const FoundEffects& found) {
   try {
     return rivals_elsewhere(search, found);
   } catch (const OutOfTime&) {
@@ -37,7 +37,7 @@ std::optional<Explanation> refitted_in_time(const EffectSearch& search,
 SearchedComposite composite_of(const EffectSearch& search, std::shared_ptr<const Baseline> base,
                                FoundEffects found) {
   const Problem& problem = search.problem;
-  std::vector<std::string> doubts = rivals_in_time(search, found);
+  std::vector<Twin> twins = rivals_in_time(search, found);
   SearchedComposite result{{.hypothesis = std::string(kNamedEffects.name),
                             .base = std::move(base),
                             .explanation = std::move(found.explanation),
@@ -46,7 +46,7 @@ SearchedComposite composite_of(const EffectSearch& search, std::shared_ptr<const
                             .left = std::move(found.left)},
                            std::move(found.rivals)};
   CompositeModel& composite = result.composite;
-  composite.doubts = std::move(doubts);
+  composite.twins = std::move(twins);
   if (!composite.named.empty() && leaves_structure(composite, problem.options.decision))
     composite.refitted = refitted_in_time(search, composite);
   return result;

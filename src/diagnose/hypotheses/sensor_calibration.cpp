@@ -8,6 +8,7 @@
 
 #include "channel_forms.hpp"
 #include "core/base/parallel.hpp"
+#include "core/base/text.hpp"
 #include "core/statistics/significance.hpp"
 #include "diagnose/candidates/screening.hpp"
 #include "diagnose/hypotheses/rough_fits.hpp"
@@ -312,8 +313,13 @@ CompositeModel composite_of(const CompositeModel& best, const Baseline& given, F
   return composite;
 }
 
-std::string as_well(const std::string& what) {
-  return "the records do not distinguish this from another explanation: " + what;
+/// What effects that act together add: the term of one; "1 in dw/dt with 1 in di/dt" of several.
+std::string joint_term(const std::vector<NamedEffect>& effects, const OdeModel& nominal) {
+  if (effects.size() == 1) return effects.front().term;
+  std::vector<std::string> terms;
+  for (const NamedEffect& effect : effects)
+    terms.push_back(effect.term + place_of(effect, nominal));
+  return join(terms, " with ");
 }
 
 /// Whether a composite model has something in another place than the channel.
@@ -325,12 +331,19 @@ bool acts_elsewhere(const CompositeModel& composite, const NamedEffect& fault) {
   });
 }
 
+/// A twin in another place; in the same one a note.
+void add_twin(Twin twin, bool elsewhere, CompositeModel& composite) {
+  if (elsewhere)
+    composite.twins.push_back(std::move(twin));
+  else
+    composite.notes.push_back(std::move(twin.sentence));
+}
+
 /// The best composite model with the channel beside it as an alternative.
-Proposal beside(const CompositeModel& best, const NamedEffect& fault, const std::string& term) {
+Proposal beside(const CompositeModel& best, const OdeModel& nominal, const NamedEffect& fault,
+                const std::string& term) {
   CompositeModel composite = best;
-  std::vector<std::string>& said =
-      acts_elsewhere(best, fault) ? composite.doubts : composite.notes;
-  said.push_back(as_well(fault.description + " (" + fault.name + ")"));
+  add_twin(twin_of({fault}, nominal), acts_elsewhere(best, fault), composite);
   for (NamedEffect& effect : composite.named)
     effect.alternatives.insert(effect.alternatives.begin(),
                                {fault.name, term, 0.5 * effect.probability});
@@ -348,24 +361,23 @@ Proposals against_peers(const Problem& problem, const CompositeModel& best,
   const std::string term = term_of(own.explanation.effects.front());
   if (coefficient.criterion < own.criterion + undecided &&
       coefficient.criterion < effects.criterion + undecided)
-    return {{beside(best, fault, term)}, {}};
+    return {{beside(best, problem.nominal, fault, term)}, {}};
   const bool is_sure = own.criterion + undecided < effects.criterion;
   const bool is_plainer =
       own.criterion < effects.criterion && own.explanation.parameters() < effects.parameters;
   if (!is_sure && !is_plainer) {
     if (own.criterion > effects.criterion + undecided) return {};
-    return {{beside(best, fault, term)}, {}};
+    return {{beside(best, problem.nominal, fault, term)}, {}};
   }
   const bool elsewhere = acts_elsewhere(best, fault);
   CompositeModel composite = composite_of(best, given, std::move(own), std::move(fault));
   if (is_sure)
     return {{{.composite = std::move(composite), .judged = ByCriterion{undecided}}}, {}};
-  std::vector<std::string>& said = elsewhere ? composite.doubts : composite.notes;
-  for (const NamedEffect& other : best.named) {
-    said.push_back(as_well(other.description + " (" + other.name + ")"));
-    composite.named[0].alternatives.insert(composite.named[0].alternatives.begin(),
-                                           {other.name, other.term, 0.0});
-  }
+  // Only together do the others explain what the channel does.
+  add_twin(twin_of(best.named, problem.nominal), elsewhere, composite);
+  std::vector<Alternative>& alternatives = composite.named[0].alternatives;
+  alternatives.insert(alternatives.begin(),
+                      {best.named[0].name, joint_term(best.named, problem.nominal), 0.0});
   return {{{.composite = std::move(composite),
             .judged = ByRule{"the plainer one of two that explain the records as well"}}},
           {}};

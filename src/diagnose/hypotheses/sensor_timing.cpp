@@ -271,16 +271,10 @@ CompositeModel late_composite(const Problem& problem, const CompositeModel& best
        found.explanation, found.sensors, tried});
 }
 
-std::string said_of(const std::vector<NamedEffect>& named) {
-  std::string said;
-  for (const NamedEffect& effect : named)
-    said += (said.empty() ? "" : "; ") + effect.description + " (" + effect.name + ")";
-  return "the records do not distinguish this from another explanation: " + said;
-}
-
 /// Both in one answer: neither is the explanation.
-CompositeModel with_rival(CompositeModel composite, const CompositeModel& rival) {
-  composite.doubts.push_back(said_of(rival.named));
+CompositeModel with_rival(CompositeModel composite, const CompositeModel& rival,
+                          const OdeModel& nominal) {
+  composite.twins.push_back(twin_of(rival.named, nominal));
   const NamedEffect& other = rival.named.front();
   for (NamedEffect& effect : composite.named)
     effect.alternatives.insert(effect.alternatives.begin(),
@@ -321,7 +315,8 @@ Proposals SensorTiming::do_propose(const Problem& problem, const CompositeModel&
       }))
     return {};
   const bool is_plainer = own.explanation.parameters() < best.explanation.parameters();
-  return {{{.composite = is_plainer ? with_rival(std::move(own), best) : with_rival(best, own),
+  return {{{.composite = is_plainer ? with_rival(std::move(own), best, problem.nominal)
+                                    : with_rival(best, own, problem.nominal),
             .judged = ByRule{"late sensors explain the records as well; the plainer leads"}}},
           {}};
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "answer.hpp"
+#include "diagnose/hypotheses/coloured_noise.hpp"
 
 namespace lacuna {
 namespace {
@@ -42,19 +43,44 @@ Index changed(const std::vector<CoefficientChange>& changes, double significance
   });
 }
 
+/// The memory of the noise, where noise is all that the model is said to leave in the records that
+/// were used.
+std::optional<Bounded> memory_of(const Diagnosis& diagnosis, const DecisionOptions& decision,
+                                 double duration) {
+  if (!diagnosis.remaining.equations.empty() || !(duration > 0.0)) return std::nullopt;
+  return Bounded{longest_memory(diagnosis.noise, decision.minor) / duration,
+                 decision.longest_memory};
+}
+
+/// What would have been significant beside the nominal model; not known of an equation that
+/// shows less than one deviation.
+std::vector<SmallestEffect> smallest_effects(const Diagnosis& diagnosis, double significance) {
+  std::vector<SmallestEffect> least;
+  for (const Disagreement& entry : diagnosis.disagreement) {
+    if (!(entry.rms > 0.0) || entry.sigma < 1.0) continue;
+    const double rate = significance * entry.noise_floor;
+    least.push_back({entry.equation, rate, entry.relative * rate / entry.rms});
+  }
+  return least;
+}
+
 }  // namespace
 
-void admit_verdict(Diagnosis& diagnosis, const DecisionOptions& decision) {
+void admit_verdict(Diagnosis& diagnosis, const DecisionOptions& decision, double duration) {
   const Claim claim = claim_of(diagnosis.verdict);
   diagnosis.admission =
       admit({.claim = claim,
              .stages = deciding(diagnosis.stages, claim),
-             .changed = changed(diagnosis.coefficient_changes, decision.significance)});
+             .changed = changed(diagnosis.coefficient_changes, decision.significance) +
+                        (diagnosis.combined_change ? 1 : 0),
+             .still = withheld_by(diagnosis.hints) == Withheld::Claims,
+             .memory = memory_of(diagnosis, decision, duration)});
   switch (diagnosis.admission.standing) {
     case Standing::Stands:
       return;
     case Standing::Undetermined:
       diagnosis.verdict = Verdict::Undetermined;
+      diagnosis.smallest_effects = smallest_effects(diagnosis, decision.significance);
       return;
     case Standing::Incomplete:
       diagnosis.verdict = Verdict::Incomplete;

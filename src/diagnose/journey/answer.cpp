@@ -354,16 +354,35 @@ HoldoutEvaluation evaluate_names(const Problem& problem, const CompositeModel& c
   return {};
 }
 
+namespace {
+
+/// What is against names: reservations(), what other records have to say, and what may stand in
+/// their place and was not judged.
+std::vector<std::string> doubts_of(const Problem& problem, const Judged& judged,
+                                   const std::optional<Gap>& gap,
+                                   const HoldoutEvaluation& evaluation) {
+  std::vector<std::string> doubts = reservations(problem, judged.best, gap);
+  if (evaluation.lower && !evaluation.note.empty())
+    doubts.insert(doubts.begin(), evaluation.note);
+  const bool is_named = !judged.best.named.empty() || !judged.best.findings.empty();
+  if (is_named && !left_out_line(judged.stages).empty())
+    doubts.push_back("not all that may stand in the place of what is named was judged");
+  return doubts;
+}
+
+}  // namespace
+
 Diagnosis make_answer(const Problem& problem, Judged judged, std::optional<Gap> gap,
                       const HoldoutEvaluation& evaluation) {
   CompositeModel& best = judged.best;
   const Baseline& base = *best.base;
   const Assimilation& fit = best.explanation.fit;
   const Verdict alone = verdict_of(problem, best);
-  const std::vector<std::string> doubts = reservations(problem, best, gap);
+  std::vector<std::string> doubts = doubts_of(problem, judged, gap, evaluation);
   const std::vector<std::string> inputs =
       notes_on(problem, noisy_inputs(problem, best.explanation.fit));
-  const bool lower = evaluation.lower || (alone == Verdict::Explained && !doubts.empty());
+  const bool lower = evaluation.lower || (alone == Verdict::Explained &&
+                                          !(doubts.empty() && best.twins.empty()));
   const bool open = !equations_turned_off(problem, best).empty() ||
                     (gap && (stays_open(*gap, problem.options.decision) ||
                              runs_away(*gap, problem.options.decision)));
@@ -389,9 +408,16 @@ Diagnosis make_answer(const Problem& problem, Judged judged, std::optional<Gap> 
   result.notes.insert(result.notes.end(), best.notes.begin(), best.notes.end());
   result.remaining.structure = result.remaining.structure || evaluation.lower ||
                                result.verdict == Verdict::UnnamedStructure;
+  if (!result.effects.empty()) result.twins = std::move(best.twins);
+  for (const Twin& twin : result.twins) result.notes.push_back(twin.sentence);
   result.notes.insert(result.notes.end(), doubts.begin(), doubts.end());
   result.notes.insert(result.notes.end(), inputs.begin(), inputs.end());
-  if (!evaluation.note.empty()) result.notes.push_back(evaluation.note);
+  if (!evaluation.lower && !evaluation.note.empty()) result.notes.push_back(evaluation.note);
+  result.reservations = std::move(doubts);
+  if (alone == Verdict::CoefficientsOnly)
+    result.combined_change =
+        combined_change(problem.nominal, fit, base.fit_options.free.size(),
+                        problem.options.decision.significance);
   add_notes(problem, result);
   result.adequacy = adequacy_on(problem, fit.noise, result.remaining, result.gap);
   result.hints = identifiability_hints(problem, base, fit);

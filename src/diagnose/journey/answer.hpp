@@ -57,7 +57,8 @@ Diagnosis make_answer(const Problem& problem, Judged judged, std::optional<Gap> 
 
 /// Brings the verdict that the search came to before admit(): where it is refused, `verdict` and
 /// `admission` say so, and all else stays as it was found.
-/// @param diagnosis with coefficient changes and stages.
-void admit_verdict(Diagnosis& diagnosis, const DecisionOptions& decision);
+/// @param diagnosis with coefficient changes, noise, hints and stages.
+/// @param duration of the longest record that was used.
+void admit_verdict(Diagnosis& diagnosis, const DecisionOptions& decision, double duration);
 
 }  // namespace lacuna

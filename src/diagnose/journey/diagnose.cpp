@@ -181,13 +181,6 @@ HoldoutEvaluation evaluate_time_on(const Problem& problem, const EvaluatedCompos
   return gap ? evaluate_time(problem, best, *gap, *evaluated.gap) : HoldoutEvaluation{};
 }
 
-/// What is named before all was judged that may stand in its place is no whole explanation.
-void doubt_omissions(EvaluatedComposite& evaluated) {
-  const CompositeModel& best = evaluated.judged.best;
-  if (left_out_line(evaluated.judged.stages).empty()) return;
-  if (!best.named.empty() || !best.findings.empty()) evaluated.evaluation.lower = true;
-}
-
 /// @param problem without a deadline. @param context with it.
 EvaluatedComposite evaluated_on(const Records& records, const Problem& problem,
                                 const RunContext& context,
@@ -221,7 +214,6 @@ EvaluatedComposite evaluated_on(const Records& records, const Problem& problem,
       floor = std::min(floor, evaluated.gap->noise_floor);
       evaluated.judged.best = *std::move(alone);
     } else {
-      doubt_omissions(evaluated);
       return evaluated;
     }
     evaluated.judged =
@@ -230,8 +222,7 @@ EvaluatedComposite evaluated_on(const Records& records, const Problem& problem,
 }
 
 /// The answer where records and model do not fit together: nothing but why.
-Diagnosis withheld_answer(const OdeModel& nominal, std::vector<Hint> hints,
-                          const DecisionOptions& decision) {
+Diagnosis withheld_answer(const OdeModel& nominal, std::vector<Hint> hints) {
   Diagnosis diagnosis{
       .verdict = Verdict::UnnamedStructure,
       .nominal = nominal,
@@ -246,7 +237,7 @@ Diagnosis withheld_answer(const OdeModel& nominal, std::vector<Hint> hints,
       .rivals = {},
       .notes = {},
       .hints = std::move(hints)};
-  admit_verdict(diagnosis, decision);
+  admit_verdict(diagnosis, {}, 0.0);
   return diagnosis;
 }
 
@@ -363,7 +354,7 @@ Diagnosis diagnose(const OdeModel& model, const Dataset& measured, const Dataset
   Records records = prepared(nominal, data, held_out, options.decision);
   std::vector<Hint> hints = hints_on(nominal, records, options.decision.hints);
   if (withheld_by(hints) == Withheld::Answer)
-    return withheld_answer(nominal, std::move(hints), options.decision);
+    return withheld_answer(nominal, std::move(hints));
   const std::vector<Stage<Hypothesis>> hypotheses = hypotheses_of(options, hints);
   const OdeModel known = withheld_by(hints) == Withheld::Claims ? held(nominal) : nominal;
   const BoundRecords as_measured = records.find;
@@ -395,7 +386,7 @@ Diagnosis diagnose(const OdeModel& model, const Dataset& measured, const Dataset
                          std::make_move_iterator(hints.end()));
   add_coefficient_hints(problem, diagnosis);
   diagnosis.augmented = without_output_channels(diagnosis.augmented, model);
-  admit_verdict(diagnosis, options.decision);
+  admit_verdict(diagnosis, options.decision, longest_record(problem.records.data).duration());
   return diagnosis;
 }
 

@@ -62,13 +62,16 @@ void append(std::vector<Rival>& trail, std::vector<Rival> more) {
 
 /// What the records do not distinguish from the composite model that was taken: another
 /// assumption of them.
-void add_doubt(const Problem& problem, const Rival& rival, const CompositeModel& loser,
+void add_twin(const Problem& problem, const Rival& rival, const CompositeModel& loser,
                CompositeModel& winner) {
   if (!rival.rule.empty() || says(loser, problem.nominal) == says(winner, problem.nominal) ||
       std::abs(rival.value - rival.threshold) > problem.options.decision.undecided)
     return;
-  winner.doubts.push_back("the records allow as well (" + loser.hypothesis +
-                          "): " + says(loser, problem.nominal));
+  std::vector<NamedEffect> named = loser.named;
+  named.insert(named.end(), loser.findings.begin(), loser.findings.end());
+  winner.twins.push_back(twin_of(named, problem.nominal,
+                                 "the records allow as well (" + loser.hypothesis +
+                                     "): " + says(loser, problem.nominal)));
 }
 
 /// One proposal; effects are sought on a new baseline before it is judged or after it has won.
@@ -88,10 +91,10 @@ void judge(const Problem& problem, const Hypotheses& hypotheses, Phase phase, Pr
   so_far.trail.push_back(rival);
   if (rival.taken) {
     if (is_baseline && !proposal.search_first) search();
-    if (is_baseline) add_doubt(problem, rival, so_far.best, proposal.composite);
+    if (is_baseline) add_twin(problem, rival, so_far.best, proposal.composite);
     so_far.best = std::move(proposal.composite);
   } else if (is_baseline) {
-    add_doubt(problem, rival, proposal.composite, so_far.best);
+    add_twin(problem, rival, proposal.composite, so_far.best);
   }
   if (!rival.taken && so_far.best.rounds.empty())
     so_far.best.rounds = std::move(proposal.composite.rounds);  // what was tried in vain

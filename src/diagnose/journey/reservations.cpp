@@ -244,7 +244,6 @@ Sentences reservations(const Problem& problem, const CompositeModel& composite,
                    format_number(gap->free_after->apart, 3) + " times their spread");
   add_turned_off(problem, composite, said);
   if (!is_named && composite.findings.empty()) return said;
-  said.insert(said.end(), composite.doubts.begin(), composite.doubts.end());
   add_bounds(composite, said);
   add_cancelling(problem, composite, said);
   add_coefficients(problem, composite, said);

@@ -16,8 +16,7 @@ namespace lacuna {
 /// that stays above its noise floor (DecisionOptions::explained_gap) by more than chance, also
 /// where nothing is named, equations_turned_off(), also there, a shape on the bound of its range,
 /// parts that nearly cancel, nominal coefficients of another sign or size, effects that act in few
-/// samples only, effects of an input of which most samples were put on lines between others, and
-/// CompositeModel::doubts.
+/// samples only, and effects of an input of which most samples were put on lines between others.
 std::vector<std::string> reservations(const Problem& problem, const CompositeModel& composite,
                                       const std::optional<Gap>& gap);
 

@@ -373,21 +373,22 @@ FoundEffects search_effects(const EffectSearch& search) {
   return found;
 }
 
-std::vector<std::string> rivals_elsewhere(const EffectSearch& search,
-                                          const FoundEffects& found) {
+std::vector<Twin> rivals_elsewhere(const EffectSearch& search, const FoundEffects& found) {
   const double limit = criterion_of(search, found.explanation) + decision_of(search).undecided;
-  std::vector<std::string> result;
+  std::vector<Twin> result;
   for (std::size_t e = 0; e < found.named.size(); ++e)
     for (const OtherForm& form : found.elsewhere[e]) {
       if (has_form(found, form.effect.candidate)) continue;
       const Explanation other = with_form(search, found, e, form.effect);
       if (criterion_of(search, other) > limit || !all_named(search, other)) continue;
-      const auto k = static_cast<std::size_t>(form.named.equation);
-      result.push_back("in the place of " + found.named[e].name +
-                       " the records allow as well " + form.named.name + " (" +
-                       term_of(form.effect) + ") in d" +
-                       search.problem.nominal.states()[k].name +
-                       "/dt; coefficients that are known (--tolerance) may decide");
+      const OdeModel& nominal = search.problem.nominal;
+      result.push_back(
+          twin_of({form.named}, nominal,
+                  "in the place of " + found.named[e].name + " the records allow as well " +
+                      form.named.name + " (" + term_of(form.effect) + ")" +
+                      place_of(form.named, nominal) +
+                      "; coefficients that are known (--tolerance) may decide"));
+      result.back().instead_of = found.named[e].name;
     }
   return result;
 }

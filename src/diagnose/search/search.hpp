@@ -28,9 +28,8 @@ struct FoundEffects {
 /// numbers that the effects have in the end.
 FoundEffects search_effects(const EffectSearch& search);
 
-/// What explains the records as well in another place, a sentence each; DecisionOptions::
-/// undecided says what is as well.
-std::vector<std::string> rivals_elsewhere(const EffectSearch& search,
-                                          const FoundEffects& found);
+/// What explains the records as well in another place; DecisionOptions::undecided says what is as
+/// well.
+std::vector<Twin> rivals_elsewhere(const EffectSearch& search, const FoundEffects& found);
 
 }  // namespace lacuna

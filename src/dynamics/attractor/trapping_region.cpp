@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "lacuna/dynamics/attractor/trapping_region.hpp"
 
-#include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -11,11 +9,11 @@
 #include <vector>
 
 #include "core/numerics/constrained_least_squares.hpp"
+#include "core/numerics/least_squares.hpp"
+#include "core/numerics/symmetric_eigen.hpp"
 
 namespace lacuna {
 namespace {
-
-using SymmetricEigen = Eigen::SelfAdjointEigenSolver<Matrix>;
 
 /// x' = c + L x + Q(x): Q_i = x' quadratic[i] x, with symmetric matrices.
 struct QuadraticFlow {
@@ -152,8 +150,8 @@ double soft_maximum(const Vector& eigenvalues, double mu) {
 }
 
 SoftMaximum soft_maximum(const SymmetricParts& parts, const Vector& centre, double mu) {
-  const SymmetricEigen eigen(parts.at(centre));
-  const Vector& values = eigen.eigenvalues();
+  const SymmetricEigen eigen = symmetric_eigen(parts.at(centre));
+  const Vector& values = eigen.values;
   const Index n = values.size();
   SoftMaximum result{soft_maximum(values, mu), Vector(n), Matrix(n, n)};
   const Vector p = ((values.array() - result.value) / mu).exp();
@@ -166,7 +164,7 @@ SoftMaximum soft_maximum(const SymmetricParts& parts, const Vector& centre, doub
     }
   std::vector<Matrix> turned;
   for (const Matrix& slope : parts.slopes)
-    turned.push_back(eigen.eigenvectors().transpose() * slope * eigen.eigenvectors());
+    turned.push_back(eigen.vectors.transpose() * slope * eigen.vectors);
   for (Index k = 0; k < n; ++k) {
     const Matrix& a = turned[static_cast<std::size_t>(k)];
     result.gradient[k] = p.dot(a.diagonal());
@@ -184,12 +182,11 @@ bool step_down(const SymmetricParts& parts, double mu, Vector& centre) {
   const double damping = 1e-9 * std::max(1e-300, now.hessian.diagonal().cwiseAbs().maxCoeff());
   const Index n = centre.size();
   const Vector step =
-      -(now.hessian + damping * Matrix::Identity(n, n)).ldlt().solve(now.gradient);
+      -solve_symmetric(now.hessian + damping * Matrix::Identity(n, n), now.gradient);
   if (!step.allFinite()) return false;
   for (double length = 1.0; length > 1e-6; length *= 0.5) {
     const Vector next = centre + length * step;
-    const SymmetricEigen eigen(parts.at(next), Eigen::EigenvaluesOnly);
-    const double gain = now.value - soft_maximum(eigen.eigenvalues(), mu);
+    const double gain = now.value - soft_maximum(symmetric_eigen(parts.at(next)).values, mu);
     if (!(gain > 0.0)) continue;
     centre = next;
     return gain > 1e-12 * std::abs(now.value);
@@ -228,9 +225,9 @@ TrappingAnswer trapping_region(const OdeModel& model) {
   const QuadraticFlow energetic = scaled(*flow, roots);
   const SymmetricParts parts = symmetric_parts(energetic);
   const Vector centre = best_centre(parts);
-  const SymmetricEigen eigen(parts.at(centre), Eigen::EigenvaluesOnly);
-  const double largest = eigen.eigenvalues().maxCoeff();
-  const double rounding = 1e-12 * eigen.eigenvalues().cwiseAbs().maxCoeff();
+  const Vector values = symmetric_eigen(parts.at(centre)).values;
+  const double largest = values.maxCoeff();
+  const double rounding = 1e-12 * values.cwiseAbs().maxCoeff();
   if (!(largest < -rounding)) return {Boundedness::NoCentre};
   return {Boundedness::Trapped,
           TrappingRegion{centre.cwiseQuotient(roots), *weights,

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "lacuna/model/equations/compare_models.hpp"
 
-#include <Eigen/SVD>
 #include <set>
 #include <string>
 #include <vector>
 
+#include "core/numerics/singular_values.hpp"
 #include "lacuna/core/base/error.hpp"
 
 namespace lacuna {
@@ -34,7 +34,7 @@ Matrix coefficient_matrix(const OdeModel& model, const std::set<std::string>& te
 }
 
 double spectral_norm(const Matrix& matrix) {
-  return Eigen::JacobiSVD<Matrix>(matrix).singularValues()[0];
+  return singular_values(matrix).values[0];
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include "lacuna/data/records/marks.hpp"
 #include "records/channels/channel_notes.hpp"
 #include "records/channels/interpolated.hpp"
+#include "records/channels/kept_limits.hpp"
 #include "records/channels/outliers.hpp"
 #include "records/channels/repeats.hpp"
 
@@ -74,6 +75,7 @@ BoundRecords observed_alike(Dataset data, const BoundRecords& records,
                             const ChannelOptions& options) {
   std::vector<Limits> limits;
   for (const Channel& channel : records.channels) limits.push_back(channel.limits);
+  limits = limits_kept_by(data, std::move(limits));
   BoundRecords other = observed(with_limits(std::move(data), limits), options);
   bool any = false;
   for (std::size_t r = 0; r < other.outliers.size(); ++r) {

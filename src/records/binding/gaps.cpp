@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <iterator>
 #include <map>
+#include <optional>
 #include <set>
 #include <span>
 
@@ -83,7 +84,19 @@ std::vector<bool> blank_samples(const Dataset& data, const Trajectory& record) {
   return blank;
 }
 
-/// The parts of a record between blank stretches of more than `longest` samples; blank ends
+/// The usual step between samples that are not blank: inputs may have many more.
+double step_of_known(const Trajectory& record, const std::vector<bool>& blank) {
+  std::vector<double> steps;
+  std::optional<double> last;
+  for (Index i = 0; i < record.samples(); ++i) {
+    if (blank[static_cast<std::size_t>(i)]) continue;
+    if (last) steps.push_back(record.time[i] - *last);
+    last = record.time[i];
+  }
+  return steps.empty() ? 0.0 : upper_median(std::move(steps));
+}
+
+/// The parts of a record between blank stretches of more time than `longest`; blank ends
 /// belong to no part.
 std::vector<Trajectory> known_parts(const Trajectory& record, const std::vector<bool>& blank,
                                     double longest) {
@@ -95,7 +108,7 @@ std::vector<Trajectory> known_parts(const Trajectory& record, const std::vector<
   };
   for (Index i = 0; i < record.samples(); ++i) {
     if (blank[static_cast<std::size_t>(i)]) continue;
-    if (begin >= 0 && static_cast<double>(i - last) > longest) add();
+    if (begin >= 0 && record.time[i] - record.time[last] > longest) add();
     if (begin < 0) begin = i;
     last = i;
   }
@@ -105,14 +118,16 @@ std::vector<Trajectory> known_parts(const Trajectory& record, const std::vector<
 
 /// Records without stretches in which no channel shows anything for longer than a model is
 /// carried on.
-Dataset without_blank_stretches(Dataset data, double longest) {
+Dataset without_blank_stretches(Dataset data, const GapOptions& options) {
   std::vector<Trajectory> records;
   for (const Trajectory& record : data.trajectories) {
     if (record.marks.size() == 0) {
       records.push_back(record);
       continue;
     }
-    std::vector<Trajectory> parts = known_parts(record, blank_samples(data, record), longest);
+    const std::vector<bool> blank = blank_samples(data, record);
+    const double longest = longest_time(options, step_of_known(record, blank));
+    std::vector<Trajectory> parts = known_parts(record, blank, longest);
     for (std::size_t i = 0; i < parts.size() && parts.size() > 1; ++i)
       parts[i].source = piece_name(file_of(record), records.size() + 1 + i);
     std::move(parts.begin(), parts.end(), std::back_inserter(records));
@@ -205,7 +220,7 @@ Cuts cut_at_seams(Dataset& data) {
 
 UsableRecords usable_records(const Dataset& data, const GapOptions& options) {
   check_dataset(data);
-  const Dataset known = without_blank_stretches(data, options.longest_gap);
+  const Dataset known = without_blank_stretches(data, options);
   if (known.trajectories.empty())
     throw DataError(data.trajectories.front().source, "no two samples show anything",
                     "give records with values");

@@ -14,19 +14,29 @@
 namespace lacuna {
 namespace {
 
-/// Samples of one state that are values, upside down where its lower end is looked for.
-std::vector<Vector> pieces_of(const Dataset& data, Index state, double side) {
-  std::vector<Vector> pieces;
-  for (const Trajectory& record : data.trajectories)
-    pieces.push_back(side * values_of(record, state).states.col(0));
+/// Samples of one state of a record that are values, upside down where its lower end is looked
+/// for.
+struct Piece {
+  Vector values;
+  std::vector<Index> samples;  ///< of the record
+};
+
+std::vector<Piece> pieces_of(const Dataset& data, Index state, double side) {
+  std::vector<Piece> pieces;
+  for (const Trajectory& record : data.trajectories) {
+    std::vector<Index> samples;
+    for (Index i = 0; i < record.samples(); ++i)
+      if (mark_of(record.marks, i, state) == Mark::Value) samples.push_back(i);
+    pieces.push_back({side * record.states.col(state)(samples), std::move(samples)});
+  }
   return pieces;
 }
 
 /// How many samples have each value.
-std::map<double, Index> counted(const std::vector<Vector>& pieces) {
+std::map<double, Index> counted(const std::vector<Piece>& pieces) {
   std::map<double, Index> counts;
-  for (const Vector& piece : pieces)
-    for (const double value : piece) ++counts[value];
+  for (const Piece& piece : pieces)
+    for (const double value : piece.values) ++counts[value];
   return counts;
 }
 
@@ -40,13 +50,76 @@ Index most_beside(const std::map<double, Index>& counts) {
   return most;
 }
 
+/// Whether inputs and the other measured states have the same values in two samples; false
+/// where there are none.
+bool others_rest(const Dataset& data, const Trajectory& record, Index state, Index a, Index b) {
+  bool any = data.input_count() > 0;
+  if (any && record.inputs.row(a) != record.inputs.row(b)) return false;
+  for (Index k = 0; k < data.state_count(); ++k) {
+    if (k == state || !data.is_measured(k)) continue;
+    any = true;
+    if (record.states(a, k) != record.states(b, k)) return false;
+  }
+  return any;
+}
+
+/// Samples first ... first + count - 1 of a piece, all at the end.
+struct Stay {
+  const Vector* values = nullptr;
+  Index first = 0, count = 0;
+  Index moving = 0;             ///< steps between them in which something else moves
+  bool begins_at_rest = false;  ///< in the first of these nothing does
+
+  bool is_begin() const { return first == 0; }  ///< of the record, so how it came is not seen
+};
+
+/// The stays at the end.
+std::vector<Stay> stays_at(const Dataset& data, Index state, const std::vector<Piece>& pieces,
+                           double end) {
+  std::vector<Stay> stays;
+  for (std::size_t r = 0; r < pieces.size(); ++r) {
+    const auto& [values, samples] = pieces[r];
+    for (Index i = 0; i < values.size(); ++i) {
+      if (values[i] != end) continue;
+      if (i == 0 || values[i - 1] != end) {
+        stays.push_back({&values, i, 1});
+        continue;
+      }
+      Stay& stay = stays.back();
+      const auto at = static_cast<std::size_t>(i);
+      const bool rests =
+          others_rest(data, data.trajectories[r], state, samples[at - 1], samples[at]);
+      stay.begins_at_rest = stay.count == 1 ? rests : stay.begins_at_rest;
+      stay.moving += rests ? 0 : 1;
+      ++stay.count;
+    }
+  }
+  return stays;
+}
+
+/// Samples at the end that are no rest. Where a record begins there while all else rests, the
+/// value is one at which the system rests, to which it may come back: then only steps count in
+/// which something else moves.
+Index samples_at_end(const std::vector<Stay>& stays) {
+  const bool is_rest = std::any_of(stays.begin(), stays.end(), [](const Stay& stay) {
+    return stay.is_begin() && stay.begins_at_rest;
+  });
+  Index samples = 0;
+  for (const Stay& stay : stays)
+    if (!stay.is_begin()) samples += is_rest ? stay.moving : stay.count;
+  return samples;
+}
+
 /// Steps by which the samples come to the end and leave it.
-std::vector<double> steps_at(const std::vector<Vector>& pieces, double end) {
+std::vector<double> steps_at(const std::vector<Stay>& stays) {
   std::vector<double> steps;
-  for (const Vector& piece : pieces)
-    for (Index i = 1; i < piece.size(); ++i)
-      if ((piece[i] == end) != (piece[i - 1] == end))
-        steps.push_back(std::abs(piece[i] - piece[i - 1]));
+  for (const Stay& stay : stays) {
+    if (stay.is_begin()) continue;
+    const Vector& values = *stay.values;
+    const Index behind = stay.first + stay.count;
+    steps.push_back(std::abs(values[stay.first] - values[stay.first - 1]));
+    if (behind < values.size()) steps.push_back(std::abs(values[behind] - values[behind - 1]));
+  }
   return steps;
 }
 
@@ -58,14 +131,17 @@ bool comes_at_speed(std::vector<double> steps, double spacing) {
 }
 
 /// The largest value where samples pile up there. @param spacing of the values.
-std::optional<double> upper_end(const std::vector<Vector>& pieces, double spacing,
+std::optional<double> upper_end(const Dataset& data, Index state,
+                                const std::vector<Piece>& pieces, double spacing,
                                 double pile_up) {
   const std::map<double, Index> counts = counted(pieces);
   if (counts.size() < 3) return std::nullopt;
   const auto [end, count] = *counts.rbegin();
-  const auto most = static_cast<double>(std::max<Index>(1, most_beside(counts)));
-  if (static_cast<double>(count) <= pile_up * most) return std::nullopt;
-  if (!comes_at_speed(steps_at(pieces, end), spacing)) return std::nullopt;
+  const auto enough = pile_up * static_cast<double>(std::max<Index>(1, most_beside(counts)));
+  if (static_cast<double>(count) <= enough) return std::nullopt;
+  const std::vector<Stay> stays = stays_at(data, state, pieces, end);
+  if (static_cast<double>(samples_at_end(stays)) <= enough) return std::nullopt;
+  if (!comes_at_speed(steps_at(stays), spacing)) return std::nullopt;
   return end;
 }
 
@@ -92,8 +168,8 @@ std::vector<Limits> visible_limits(const Dataset& data, double pile_up) {
   for (Index k = 0; k < data.state_count(); ++k) {
     if (!data.is_measured(k)) continue;
     Limits& found = limits[static_cast<std::size_t>(k)];
-    found.high = upper_end(pieces_of(data, k, 1.0), spacings[k], pile_up);
-    found.low = upper_end(pieces_of(data, k, -1.0), spacings[k], pile_up);
+    found.high = upper_end(data, k, pieces_of(data, k, 1.0), spacings[k], pile_up);
+    found.low = upper_end(data, k, pieces_of(data, k, -1.0), spacings[k], pile_up);
     if (found.low) found.low = -*found.low;
   }
   return limits;

@@ -113,7 +113,7 @@ std::string format_text(const DataSummary& summary) {
     text +=
         "  " + to_string(hint.kind) + ": " + hint.message + ". Remedy: " + hint.remedy + ".\n";
   if (!summary.notes.empty()) text += "\nNotes\n";
-  for (const std::string& note : summary.notes) text += "  " + note + "\n";
+  for (const std::string& note : said_once(summary.notes)) text += "  " + note + "\n";
   return text;
 }
 
@@ -145,15 +145,12 @@ std::string data_line(const Dataset& data, Index known) {
     if (const std::string file = short_name(file_of(record));
         files.empty() || files.back() != file)
       files.push_back(file);
-  const std::string first =
-      files.size() > 2 ? files.front() + " and " + std::to_string(files.size() - 1) + " more"
-                       : join(files, ", ");
   const auto inputs = static_cast<std::size_t>(std::clamp<Index>(known, 0, data.input_count()));
   std::vector<Quantity> seen, hidden;
   for (std::size_t k = 0; k < data.states.size(); ++k)
     (is_hidden(data, static_cast<Index>(k)) ? hidden : seen).push_back(data.states[k]);
   std::string line =
-      first + ": " + size_text(data) + "; states " + columns_text(seen, 0, seen.size());
+      briefly(files) + ": " + size_text(data) + "; states " + columns_text(seen, 0, seen.size());
   if (!hidden.empty()) line += "; not measured " + columns_text(hidden, 0, hidden.size());
   if (inputs > 0) line += "; inputs " + columns_text(data.inputs, 0, inputs);
   if (inputs < data.inputs.size())

@@ -98,7 +98,8 @@ std::vector<Picture> change_pictures(const Diagnosis& diagnosis) {
       return 100.0 * (value - change.nominal) / std::abs(change.nominal);
     };
     const auto interval = change.ci95();
-    figure.rows.push_back({state_name(diagnosis, change.equation) + ": " + change.term,
+    figure.rows.push_back({state_name(diagnosis, change.equation) + ": " +
+                               readable_formula(change.term, {}),
                            relative(change.estimated), relative(interval[0]),
                            relative(interval[1]), format_number(change.sigma, 2) + " sigma",
                            change.sigma >= 3.0});
@@ -111,7 +112,8 @@ Markup change_table(const Diagnosis& diagnosis) {
   std::vector<std::vector<std::string>> rows;
   for (const CoefficientChange& change : diagnosis.coefficient_changes) {
     const double half = kNormalQuantile975 * change.deviation;
-    rows.push_back({state_name(diagnosis, change.equation), change.term,
+    rows.push_back({state_name(diagnosis, change.equation),
+                    readable_formula(change.term, {}),
                     format_number(change.nominal, 6), with_error(change.estimated, half),
                     format_number(change.sigma, 3)});
   }
@@ -176,6 +178,12 @@ Vector noise_of(const Diagnosis& diagnosis) {
   return noise;
 }
 
+/// The state that the answer is about: of the first effect, else where it disagrees most.
+Index main_state(const Diagnosis& diagnosis) {
+  if (!diagnosis.effects.empty()) return diagnosis.effects.front().equation;
+  return diagnosis.disagreement.empty() ? 0 : diagnosis.disagreement.front().equation;
+}
+
 void add_runs(const Diagnosis& diagnosis, Page& page) {
   if (!diagnosis.gap || diagnosis.gap->runs.empty()) return;
   const RunView view{diagnosis.gap->runs,
@@ -206,13 +214,14 @@ Page diagnosis_page(const Diagnosis& diagnosis) {
   page.title = "Diagnosis: what the model lacks";
   page.headline = sentences.headline;
   page.tone = tone_of(diagnosis);
-  page.findings = sentences.hints;
-  page.findings.insert(page.findings.end(), sentences.findings.begin(),
-                       sentences.findings.end());
+  const bool hints_first = withheld_by(diagnosis.hints) != Withheld::Nothing;
+  if (hints_first) page.first = sentences.hints;
+  page.findings = sentences.findings;
   page.facts = facts_of(diagnosis);
   page.equations = equations_mathml(diagnosis.augmented, fresh_terms(diagnosis));
-  if (!sentences.notes.empty())
-    page.sections.push_back({"What to know", bullets(sentences.notes)});
+  std::vector<std::string> known = sentences.notes;
+  if (!hints_first) known.insert(known.begin(), sentences.hints.begin(), sentences.hints.end());
+  page.sections.push_back({"What to know", bullets(known)});
   add_runs(diagnosis, page);
   page.sections.push_back({"Where they disagree", {}, place_pictures(diagnosis)});
   page.sections.push_back(
@@ -220,6 +229,7 @@ Page diagnosis_page(const Diagnosis& diagnosis) {
   page.sections.push_back({"Rivals", {}, rival_pictures(diagnosis)});
   page.sections.push_back(
       {"Every composite model that was judged", rival_table(diagnosis), {}, true});
+  show_first(page, "deviation_" + state_name(diagnosis, main_state(diagnosis)));
   // A heading over nothing says less than none.
   std::erase_if(page.sections, [](const PageSection& section) {
     return section.content.empty() && section.pictures.empty();

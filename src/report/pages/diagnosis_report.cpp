@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "lacuna/report/pages/diagnosis_report.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -50,6 +51,39 @@ Json disagreement_json(const Diagnosis& diagnosis) {
   return list;
 }
 
+/// Names that the records do not distinguish from an effect.
+Json twins_json(const Diagnosis& diagnosis, const NamedEffect& effect) {
+  std::vector<std::string> names;
+  for (const Twin& twin : diagnosis.twins)
+    for (const std::string& name : twin.names)
+      if ((twin.instead_of.empty() || twin.instead_of == effect.name) &&
+          std::find(names.begin(), names.end(), name) == names.end())
+        names.push_back(name);
+  return names;
+}
+
+/// Whether a fault of a channel and an effect of the dynamics are not distinguished.
+bool is_dynamics_or_measurement(const Diagnosis& diagnosis) {
+  const auto is_fault = [](const NamedEffect& one) { return one.place == Place::Channel; };
+  const auto& effects = diagnosis.effects;
+  const bool fault = std::any_of(effects.begin(), effects.end(), is_fault);
+  return std::any_of(
+      diagnosis.twins.begin(), diagnosis.twins.end(),
+      [&](const Twin& twin) { return fault || twin.measurement; });
+}
+
+/// What would have been seen; null where the verdict is not that nothing is determined, or that
+/// is not known either.
+Json smallest_effect_json(const Diagnosis& diagnosis) {
+  if (diagnosis.smallest_effects.empty()) return {};
+  Json list = Json::array();
+  for (const SmallestEffect& least : diagnosis.smallest_effects)
+    list.push_back({{"equation", state_name(diagnosis, least.equation)},
+                    {"rate", least.rate},
+                    {"relative", least.relative}});
+  return list;
+}
+
 Json to_json(const Diagnosis& diagnosis, const NamedEffect& effect) {
   Json json{{"equation", state_name(diagnosis, effect.equation)},
             {"name", effect.name},
@@ -63,6 +97,8 @@ Json to_json(const Diagnosis& diagnosis, const NamedEffect& effect) {
             {"gap_closed", effect.gap_closed},
             {"contribution", effect.contribution},
             {"probability", effect.probability},
+            {"claim", diagnosis.verdict == Verdict::Explained},
+            {"not_told_apart", twins_json(diagnosis, effect)},
             {"alternatives", Json::array()}};
   for (const NamedParameter& parameter : effect.parameters)
     json["parameters"][parameter.name] = parameter.value;
@@ -84,6 +120,18 @@ Json changes_json(const Diagnosis& diagnosis) {
     if (!change.determined) list.back()["ci95"] = nullptr;
   }
   return list;
+}
+
+Json combined_json(const Diagnosis& diagnosis) {
+  if (!diagnosis.combined_change) return {};
+  const CombinedChange& change = *diagnosis.combined_change;
+  return {{"equation", state_name(diagnosis, change.equation)},
+          {"terms", {change.first, change.second}},
+          {"weights", {1.0, change.weight}},
+          {"nominal", change.nominal},
+          {"estimated", change.estimated},
+          {"ci95", interval_json(change.estimated, change.ci95())},
+          {"sigma", change.sigma}};
 }
 
 Json free_run_json(const Gap& gap) {
@@ -182,12 +230,15 @@ std::string format_json(const Diagnosis& diagnosis) {
   Json json{{"format", "lacuna.diagnosis/1"},
             {"verdict", to_string(diagnosis.verdict)},
             {"why", why_json(diagnosis)},
+            {"smallest_effect", smallest_effect_json(diagnosis)},
+            {"dynamics_or_measurement", is_dynamics_or_measurement(diagnosis)},
             {"hints", hints_json(diagnosis)},
             {"disagreement", disagreement_json(diagnosis)},
             {"effects", Json::array()}};
   for (const NamedEffect& effect : diagnosis.effects)
     json["effects"].push_back(to_json(diagnosis, effect));
   json["coefficient_changes"] = changes_json(diagnosis);
+  json["combined_change"] = combined_json(diagnosis);
   json["adequacy"] = adequacy_json(diagnosis.adequacy);
   json["gap"] = diagnosis.gap ? gap_json(*diagnosis.gap) : Json();
   json["remaining"] = remaining_json(diagnosis);

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "core/base/text.hpp"
+#include "folded_text.hpp"
 #include "lacuna/core/statistics/interval.hpp"
 #include "readable.hpp"
 
@@ -49,8 +50,18 @@ std::string hint_sentence(const Hint& hint) {
          ".";
 }
 
-/// What was gained on other records, and what has no name.
+/// What was gained on other records, and what has no name; or what is against names that leave
+/// nothing.
 std::string partly_explained(const Diagnosis& diagnosis) {
+  if (diagnosis.remaining.equations.empty() && !diagnosis.reservations.empty())
+    return "Partly explained: what is named leaves no significant structure in the records that "
+           "were used, but " +
+           diagnosis.reservations.front() + ".";
+  if (diagnosis.remaining.equations.empty() && !diagnosis.twins.empty()) {
+    std::vector<std::string> choices{names_in_places(diagnosis.effects, diagnosis.nominal)};
+    for (const Twin& twin : diagnosis.twins) choices.push_back(twin.what);
+    return "Explained but for the choice between " + join(choices, " and ") + ".";
+  }
   const std::string rest = "Partly explained: effects are named, but significant structure is left";
   const auto& gap = diagnosis.gap;
   if (!gap || !(gap->after < gap->before) || !std::isfinite(gap->before)) return rest + ".";
@@ -119,11 +130,21 @@ void report_changes(const Diagnosis& diagnosis, Sentences& out) {
     if (std::abs(change.estimated - change.nominal) < 1e-3 * std::abs(change.nominal)) continue;
     ++written;
     out.push_back("Equation " + state_name(diagnosis, change.equation) +
-                  ": the coefficient of " + change.term + " is " +
+                  ": the coefficient of " + readable_formula(change.term, {}) + " is " +
                   with_error(change.estimated, kNormalQuantile975 * change.deviation) +
                   ", not " + format_number(change.nominal, 6) + " (" +
                   format_number(change.sigma, 3) + " sigma).");
   }
+}
+
+/// Two coefficients that are off together.
+std::string combined_sentence(const Diagnosis& diagnosis, const CombinedChange& change) {
+  return "Equation " + state_name(diagnosis, change.equation) + ": the coefficient of " +
+         change.first + (change.weight < 0.0 ? " less " : " plus ") +
+         format_number(std::abs(change.weight), 4) + " times that of " + change.second +
+         " is " + with_error(change.estimated, kNormalQuantile975 * change.deviation) + ", not " +
+         format_number(change.nominal, 6) + " (" + format_number(change.sigma, 3) +
+         " sigma); how much each is off is not determined.";
 }
 
 /// Where the nominal model and the records disagree most, in a state or input.
@@ -174,7 +195,9 @@ std::string gap_sentence(const Gap& gap) {
       before == after
           ? "stays at " + after
           : (gap.after < gap.before ? "falls from " : "rises from ") + before + " to " + after;
-  return "On records not used (" + join(gap.records, ", ") + ") the gap " + change +
+  std::vector<std::string> records;
+  for (const std::string& record : gap.records) records.push_back(short_name(record));
+  return "On records not used (" + briefly(records, "; ") + ") the gap " + change +
          " (noise floor " + percent(gap.noise_floor) + ").";
 }
 
@@ -214,10 +237,18 @@ DiagnosisSentences sentences_of(const Diagnosis& diagnosis) {
     report_effect(diagnosis, effect, all.findings);
   if (diagnosis.verdict == Verdict::CoefficientsOnly || !diagnosis.effects.empty())
     report_changes(diagnosis, all.findings);
+  if (diagnosis.combined_change)
+    all.findings.push_back(combined_sentence(diagnosis, *diagnosis.combined_change));
+  for (const SmallestEffect& least : diagnosis.smallest_effects)
+    all.findings.push_back("Equation " + state_of(diagnosis, least.equation).name +
+                           ": a missing rate would have been seen from " +
+                           format_number(least.rate, 2) + " " +
+                           rate_unit_of(diagnosis, least.equation) + " rms on (" +
+                           percent(least.relative) + " of its rate of change).");
   if (diagnosis.remaining.structure) report_remaining(diagnosis, all.findings);
   if (diagnosis.unnamed) report_unnamed(diagnosis, *diagnosis.unnamed, all.findings);
   if (diagnosis.gap) all.findings.push_back(gap_sentence(*diagnosis.gap));
-  for (const std::string& note : diagnosis.notes) all.notes.push_back(note + ".");
+  for (const std::string& note : said_once(diagnosis.notes)) all.notes.push_back(note + ".");
   return all;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/base/text.hpp"
+#include "diagnosis_sentences.hpp"
 #include "lacuna/report/pages/diagnosis_report.hpp"
 
 namespace lacuna {
@@ -24,7 +25,7 @@ std::string format_trail(const Diagnosis& diagnosis) {
       "Composite models of the records, in the order in which they were judged:\n";
   for (const Rival& rival : diagnosis.rivals)
     text += std::string(rival.taken ? "  + " : "  - ") + padded(rival.hypothesis, width) +
-            "  " + rival.composite + "\n      " + reason(rival) + "\n";
+            "  " + readable_formula(rival.composite, {}) + "\n      " + reason(rival) + "\n";
   return text + "(+ taken over what was best before, - not taken)\n";
 }
 

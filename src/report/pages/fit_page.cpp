@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "core/base/text.hpp"
+#include "folded_text.hpp"
 #include "records/channels/channel_noise.hpp"
 #include "readable.hpp"
 #include "report/pages/pages.hpp"
@@ -99,7 +100,7 @@ Page fit_page(const Fit& fit) {
   page.tone = !standing.converged   ? Tone::Bad
               : standing.is_sound() ? Tone::Good
                                     : Tone::Doubtful;
-  page.findings = fit.notes;
+  page.findings = said_once(fit.notes);
   page.equations = equations_mathml(fit.model.model());
   page.sections.push_back(numbers_section(fit));
   const std::vector<GapRecord> runs = runs_of(fit);

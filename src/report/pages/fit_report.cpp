@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "core/base/text.hpp"
+#include "folded_text.hpp"
 #include "lacuna/core/statistics/interval.hpp"
 #include "lacuna/model/equations/rounding.hpp"
 #include "lacuna/model/files/model_file.hpp"
@@ -428,7 +429,7 @@ std::string format_text(const Fit& fit) {
   }
   write_predicted(fit, out);
   out << "Verdict: " << sentence_of(standing_of(fit)) << "\n";
-  for (const std::string& note : fit.notes) out << "Note: " << note << "\n";
+  for (const std::string& note : said_once(fit.notes)) out << "Note: " << note << "\n";
   return out.str();
 }
 

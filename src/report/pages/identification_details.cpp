@@ -155,7 +155,7 @@ std::string details_text(const IdentificationReport& report, const Digits& digit
   if (const std::string line = left_out_line(result.stages); !line.empty())
     out << "\nStages\n  " << line << "\n";
   if (!result.warnings.empty()) out << "\nWarnings\n";
-  for (const std::string& warning : result.warnings) out << "  " << warning << "\n";
+  for (const std::string& warning : said_once(result.warnings)) out << "  " << warning << "\n";
   return out.str();
 }
 

@@ -4,6 +4,8 @@
 
 #include "core/base/text.hpp"
 #include "core/statistics/determined.hpp"
+#include "diagnosis_sentences.hpp"
+#include "folded_text.hpp"
 #include "free_runs.hpp"
 #include "readable.hpp"
 #include "invariant_text.hpp"
@@ -187,7 +189,8 @@ PageSection coefficients(const OdeModel& model) {
   for (std::size_t k = 0; k < model.equations().size(); ++k)
     for (const WeightedTerm& summand : model.equations()[k])
       rows.push_back({left_hand_side(model.states()[k].name, model.evolution()),
-                      summand.term.name(), coefficient_text(summand), interval_text(summand),
+                      readable_formula(summand.term.name(), {}), coefficient_text(summand),
+                      interval_text(summand),
                       with_unit_of_term(target_unit(model, static_cast<Index>(k)))});
   return {"Coefficients",
           table({"equation", "term", "coefficient", "95 % interval", "unit"}, rows)};
@@ -211,7 +214,8 @@ PageSection prediction_section(const Validation& validation) {
 PageSection trail_section(const IdentificationResult& result) {
   std::vector<std::vector<std::string>> rows;
   for (const TrailEntry& entry : result.trail)
-    rows.push_back({left_hand_side(entry.equation, result.model.evolution()), entry.term,
+    rows.push_back({left_hand_side(entry.equation, result.model.evolution()),
+                    readable_formula(entry.term, {}),
                     entry.kept ? "kept" : "removed by " + entry.stage, entry.quantity,
                     format_number(entry.value, 4),
                     entry.kept ? "" : format_number(entry.threshold, 4)});
@@ -252,10 +256,11 @@ Page identification_page(const IdentificationReport& report, const Dataset& data
   page.facts = facts_of(report, data, runs);
   page.equations = equations_mathml(result.model);
   if (!runs.empty()) add_pictures(view, page);
+  if (!data.states.empty()) show_first(page, "comparison_" + data.states.front().name);
   page.sections.push_back(coefficients(result.model));
   if (result.validation) page.sections.push_back(prediction_section(*result.validation));
   if (!result.warnings.empty())
-    page.sections.push_back({"What to know", bullets(result.warnings)});
+    page.sections.push_back({"What to know", bullets(said_once(result.warnings))});
   page.sections.push_back(trail_section(result));
   page.sections.push_back({"Stages that were used",
                            element("code", Markup::text(format_pipeline(report.pipeline))),

@@ -138,7 +138,7 @@ std::string format_text(const IdentificationReport& report, const TextOptions& o
                             alternatives_section(report);
   if (options.explain) return first + details_text(report, options.digits);
   const std::string left_out = left_out_line(report.result.stages);
-  return first + warnings_section(report.result.warnings) +
+  return first + warnings_section(said_once(report.result.warnings)) +
          (left_out.empty() ? "" : "\nStages " + left_out + "\n") + "\nDetails: --explain\n";
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "report/pages/page.hpp"
 
+#include <algorithm>
 #include <set>
 
 #include "core/base/check.hpp"
@@ -27,22 +28,35 @@ Markup scrolled(const std::string& kind, const Markup& content) {
   return element("div", {{"class", kind}, {"tabindex", "0"}}, content);
 }
 
+Markup paragraphs(const std::vector<std::string>& sentences) {
+  Markup all;
+  for (const std::string& sentence : sentences)
+    all += element("p", {{"class", "finding"}}, Markup::text(sentence));
+  return all;
+}
+
+/// The picture for paper and the one for a phone, of which one is shown.
+Markup figure(const Picture& picture) {
+  return element("figure", {{"id", picture.name}, {"tabindex", "0"}},
+                 picture.svg + picture.narrow);
+}
+
 Markup first_screen(const Page& page) {
   Markup all = element("p", {{"class", "kind"}}, Markup::text(page.title)) +
-               element("h1", {{"class", tone_class(page.tone)}}, Markup::text(page.headline));
-  for (const std::string& sentence : page.findings)
-    all += element("p", {{"class", "finding"}}, Markup::text(sentence));
+               element("h1", {{"class", tone_class(page.tone)}}, Markup::text(page.headline)) +
+               paragraphs(page.first);
+  if (!page.equations.empty()) all += scrolled("equations", page.equations);
+  if (page.picture) all += figure(*page.picture);
+  all += paragraphs(page.findings);
   Markup facts;
   for (const Fact& fact : page.facts) facts += fact_markup(fact);
   if (!facts.empty()) all += element("dl", {{"class", "facts"}}, facts);
-  if (!page.equations.empty()) all += scrolled("equations", page.equations);
   return element("header", all);
 }
 
 Markup figures(const PageSection& section) {
   Markup all;
-  for (const Picture& picture : section.pictures)
-    all += element("figure", {{"id", picture.name}, {"tabindex", "0"}}, picture.svg);
+  for (const Picture& picture : section.pictures) all += figure(picture);
   return all;
 }
 
@@ -94,15 +108,29 @@ std::string format_html(const Page& page) {
 
 std::vector<Picture> pictures_of(const Page& page) {
   std::vector<Picture> all;
-  std::set<std::string> names;
+  if (page.picture) all.push_back(*page.picture);
   for (const PageSection& section : page.sections)
-    for (Picture picture : section.pictures) {
-      const std::string name = picture.name;
-      for (int number = 2; !names.insert(picture.name).second; ++number)
-        picture.name = name + "_" + std::to_string(number);
-      all.push_back(std::move(picture));
-    }
+    all.insert(all.end(), section.pictures.begin(), section.pictures.end());
+  std::set<std::string> names;
+  for (Picture& picture : all) {
+    const std::string name = picture.name;
+    for (int number = 2; !names.insert(picture.name).second; ++number)
+      picture.name = name + "_" + std::to_string(number);
+  }
   return all;
+}
+
+void show_first(Page& page, const std::string& name) {
+  for (auto section = page.sections.begin(); section != page.sections.end(); ++section) {
+    std::vector<Picture>& pictures = section->pictures;
+    const auto found = std::find_if(pictures.begin(), pictures.end(),
+                                    [&](const Picture& one) { return one.name == name; });
+    if (found == pictures.end()) continue;
+    page.picture = std::move(*found);
+    pictures.erase(found);
+    if (pictures.empty()) page.sections.erase(section);
+    return;
+  }
 }
 
 Markup table(const std::vector<std::string>& heads,

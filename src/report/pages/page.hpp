@@ -27,7 +27,8 @@ struct PageSection {
   bool folded = false;  ///< details that are opened by a click
 };
 
-/// An answer as a page. Its first screen is headline, findings, facts and equations.
+/// An answer as a page. It begins with the headline, equations and one picture; findings, facts
+/// and sections are below.
 struct Page {
   std::string title;     ///< "Diagnosis of pendulum.ode"
   std::string headline;  ///< what was found, in one sentence
@@ -36,7 +37,9 @@ struct Page {
   std::vector<Fact> facts;
   Markup equations;
   std::vector<PageSection> sections;
-  std::string command;  ///< that made it
+  std::string command = {};               ///< that made it
+  std::vector<std::string> first = {};    ///< sentences without which the headline misleads
+  std::optional<Picture> picture = {};    ///< the one that shows most
 };
 
 /// One self-contained HTML file: styles, pictures and a small script are inside, nothing is
@@ -47,6 +50,10 @@ std::string format_html(const Page& page);
 /// What the words of a page mean, as details that are opened by a click: of those of the glossary
 /// that stand in the page. Nothing where none does.
 std::optional<PageSection> glossary_of(const Page& page);
+
+/// Takes a picture out of its section and puts it first. Nothing where the page has none of that
+/// name.
+void show_first(Page& page, const std::string& name);
 
 /// All pictures of a page in their order; names are unique.
 std::vector<Picture> pictures_of(const Page& page);

@@ -24,15 +24,21 @@ margin:1.1rem 0}
 .fact dt{color:var(--soft);font-size:.8rem}.fact dd{margin:0}
 .fact .value{font-size:1.25rem;font-weight:600}.fact .note{color:var(--soft);font-size:.8rem}
 .equations{overflow-x:auto;padding:.4rem 0;font-size:1.1rem}
-.equations math{width:max-content;margin:0}.equations .new{color:var(--new);font-weight:600}
-mtd{text-align:left;padding:.25em .15em}
+.equation{display:flex;align-items:baseline;gap:.35em;margin:.5em 0}
+.terms{flex:1;min-width:0;line-height:1.9}.term{display:inline-block;max-width:100%}
+.term.new{display:block;color:var(--new);font-weight:600}
 figure{margin:.8rem 0;overflow-x:auto}
 figure svg{display:block;width:100%;min-width:560px;max-width:60rem;height:auto}
+figure .narrow{display:none;min-width:0}
+@media screen and (max-width:600px){.equation{display:block}.terms{padding-left:1.2em}
+figure svg:has(+.narrow){display:none}figure .narrow{display:block}}
 .wide{overflow-x:auto}.wide table{min-width:34rem}table{border-collapse:collapse;font-size:.9rem}
 th,td{text-align:left;padding:.25rem .8rem .25rem 0;border-bottom:1px solid var(--grid);
 vertical-align:top}
 th{color:var(--soft);font-weight:600}.number{text-align:right;white-space:nowrap;
 font-variant-numeric:tabular-nums}
+@media screen and (max-width:600px){.wide table{min-width:0;font-size:.8rem}
+th,td{padding-right:.45rem}td{overflow-wrap:anywhere}.number{white-space:normal}}
 details{margin:1.4rem 0;border-top:1px solid var(--grid);padding-top:.8rem}
 summary{cursor:pointer;font-weight:600}
 code{font:.85em ui-monospace,"Liberation Mono",monospace;overflow-wrap:anywhere}
@@ -78,8 +84,8 @@ tip.style.left=Math.min(e.clientX+14,window.innerWidth-tip.offsetWidth-8)+'px';
 tip.style.top=(e.clientY+14)+'px';});
 svg.addEventListener('pointerleave',function(){tip.style.display='none';});});
 each(document,'.orbit',function(svg){
-var turn=0.7,tilt=0.45,v=svg.viewBox.baseVal,top=30,scale=0.31*(v.height-top)/1000;
-var curves=[];each(svg,'path[data-points]',function(path){
+var turn=0.7,tilt=0.45,v=svg.viewBox.baseVal,top=30,curves=[];
+var scale=0.31*Math.min(v.height-top,v.width-40)/1000;each(svg,'path[data-points]',function(path){
 curves.push([path,path.dataset.points.split(' ').map(function(t){
 return t==='-'?null:t.split(',').map(Number);})]);});
 function seen(p){var x=p[0]*Math.cos(turn)-p[1]*Math.sin(turn);

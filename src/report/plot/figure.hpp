@@ -75,6 +75,7 @@ struct Picture {
   std::string name, title;
   Markup svg;     ///< with classes whose style the page, or stand_alone(), brings
   Figure figure;  ///< its numbers, for whoever draws them otherwise
+  Markup narrow = {};  ///< the same for a phone; empty where there is none
 };
 
 Picture draw(const LineFigure& figure);

@@ -17,14 +17,15 @@ constexpr double kPartsOfAPixel = 1e4;
 /// The rectangle that curves are drawn in, and what its edges stand for.
 struct Frame {
   Scale x, y;
-  double top = 0.0;
+  double width = svg::kWidth, top = 0.0;
 
-  double across() const { return svg::kWidth - kLeft - kRight; }
+  double right() const { return width - kRight; }
+  double across() const { return right() - kLeft; }
   double at_x(double value) const { return kLeft + x.part(value) * across(); }
   double at_y(double value) const { return top + (1.0 - y.part(value)) * kPlot; }
 };
 
-Frame frame_of(const LineFigure& figure) {
+Frame frame_of(const LineFigure& figure, double width) {
   std::vector<const Vector*> x, y;
   for (const Series& series : figure.series) {
     x.push_back(&series.x);
@@ -35,13 +36,14 @@ Frame frame_of(const LineFigure& figure) {
     band = Eigen::Vector2d(figure.band->low, figure.band->high);
     y.push_back(&band);
   }
-  return {scale_of(x, figure.logarithmic_x), scale_of(y, figure.logarithmic_y)};
+  return {scale_of(x, figure.logarithmic_x), scale_of(y, figure.logarithmic_y), width};
 }
 
 Markup axes(const LineFigure& figure, const Frame& frame) {
-  const double bottom = frame.top + kPlot, right = svg::kWidth - kRight;
+  constexpr double kBetweenTicks = 80.0;
+  const double bottom = frame.top + kPlot, right = frame.right();
   Markup all;
-  for (const Tick& tick : ticks_of(frame.x, 8)) {
+  for (const Tick& tick : ticks_of(frame.x, static_cast<int>(frame.across() / kBetweenTicks))) {
     const double x = frame.at_x(tick.value);
     all += svg::line(x, frame.top, x, bottom, "grid");
     all += svg::label(x, bottom + 16.0, tick.label, "middle", "tick");
@@ -52,7 +54,8 @@ Markup axes(const LineFigure& figure, const Frame& frame) {
     all += svg::label(kLeft - 6.0, y + 4.0, tick.label, "end", "tick");
   }
   all += svg::label(kLeft + frame.across() / 2.0, bottom + 36.0,
-                    svg::shortened(figure.x_label, 80), "middle", "axis");
+                    svg::shortened(figure.x_label, svg::room_in(frame.across())), "middle",
+                    "axis");
   const double middle = frame.top + kPlot / 2.0;
   all += element("g", {{"transform", "translate(14 " + svg::pixels(middle) + ") rotate(-90)"}},
                  svg::label(0.0, 0.0, svg::shortened(figure.y_label, 34), "middle", "axis"));
@@ -127,19 +130,23 @@ Markup with_scales(const LineFigure& figure, const Frame& frame, const Markup& c
                  content);
 }
 
+Markup drawn(const LineFigure& figure, double width) {
+  Frame frame = frame_of(figure, width);
+  const double left = width > svg::kNarrow ? kLeft : 8.0;  // of words above the curves
+  const svg::TextLines title = svg::lines(figure.title, left, frame.right(), 16.0, "title");
+  const svg::Legend legend =
+      svg::legend(keys_of(figure), left, frame.right(), kAbove + title.height + 14.0);
+  frame.top = kAbove + title.height + legend.height + 4.0;
+  const Markup content = title.markup + legend.markup + axes(figure, frame) +
+                         with_scales(figure, frame, curves(figure, frame));
+  return svg::drawing(figure.title, "lines", width, frame.top + kPlot + kBelow, content);
+}
+
 }  // namespace
 
 Picture draw(const LineFigure& figure) {
-  const svg::Legend legend =
-      svg::legend(keys_of(figure), kLeft, svg::kWidth - kRight, kAbove + 14.0);
-  Frame frame = frame_of(figure);
-  frame.top = kAbove + legend.height + 4.0;
-  Markup content = svg::label(kLeft, 16.0, svg::shortened(figure.title, 90), "start", "title");
-  content += legend.markup + axes(figure, frame);
-  content += with_scales(figure, frame, curves(figure, frame));
-  return {figure.name, figure.title,
-          svg::drawing(figure.title, "lines", svg::kWidth, frame.top + kPlot + kBelow, content),
-          figure};
+  return {figure.name, figure.title, drawn(figure, svg::kWidth), figure,
+          drawn(figure, svg::kNarrow)};
 }
 
 }  // namespace lacuna

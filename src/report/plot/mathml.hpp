@@ -18,8 +18,10 @@ Markup to_mathml(const Expression& expression);
 using TermNames = std::set<std::pair<Index, std::string>>;
 
 /// The equations of a model, one under the other; coefficients to the digits of their
-/// intervals, 6 without one.
-/// @param fresh terms that are marked as new.
+/// intervals, 6 without one. Each term is an element of its own, `term`, which begins a new line
+/// where it does not fit into the last one; a term that is longer than a line breaks at its
+/// operations.
+/// @param fresh terms that are marked as new and have lines of their own.
 Markup equations_mathml(const OdeModel& model, const TermNames& fresh = {});
 
 }  // namespace lacuna

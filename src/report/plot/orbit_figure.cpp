@@ -49,12 +49,13 @@ std::vector<std::optional<Eigen::Vector3d>> shown_points(const Orbit& orbit, con
 }
 
 /// Where a point is seen; the script of the page computes the same when it is turned.
-Eigen::Vector2d projected(const Eigen::Vector3d& point) {
+Eigen::Vector2d projected(const Eigen::Vector3d& point, double width) {
   const double x = point[0] * std::cos(kTurn) - point[1] * std::sin(kTurn);
   const double depth = point[0] * std::sin(kTurn) + point[1] * std::cos(kTurn);
   const double y = point[2] * std::cos(kTilt) + depth * std::sin(kTilt);
-  const double scale = 0.31 * (kHeight - kTop) / kUnits;
-  return {svg::kWidth / 2.0 + scale * x, kTop + (kHeight - kTop) / 2.0 - scale * y};
+  // Beside the orbit there is room for the labels of its axes.
+  const double scale = 0.31 * std::min(kHeight - kTop, width - 40.0) / kUnits;
+  return {width / 2.0 + scale * x, kTop + (kHeight - kTop) / 2.0 - scale * y};
 }
 
 /// The values at -1000 and 1000 of each axis.
@@ -66,7 +67,7 @@ std::string ranges_of(const Box& box) {
   return text;
 }
 
-Markup curve_of(const Orbit& orbit, const Box& box, std::size_t number) {
+Markup curve_of(const Orbit& orbit, const Box& box, std::size_t number, double width) {
   std::string path, data;
   bool open = false;
   for (const auto& point : shown_points(orbit, box)) {
@@ -76,7 +77,7 @@ Markup curve_of(const Orbit& orbit, const Box& box, std::size_t number) {
       open = false;
       continue;
     }
-    const Eigen::Vector2d seen = projected(*point);
+    const Eigen::Vector2d seen = projected(*point, width);
     path += (open ? " " : "M") + svg::pixels(seen[0]) + "," + svg::pixels(seen[1]);
     for (Index k = 0; k < 3; ++k)
       data += (k > 0 ? "," : "") + svg::pixels((*point)[k], kPartsOfAUnit);
@@ -91,13 +92,13 @@ Markup curve_of(const Orbit& orbit, const Box& box, std::size_t number) {
 }
 
 /// The axes from the corner of the box.
-Markup axes(const OrbitFigure& figure) {
+Markup axes(const OrbitFigure& figure, double width) {
   Markup all;
   const Eigen::Vector3d corner = Eigen::Vector3d::Constant(-kUnits);
   for (std::size_t k = 0; k < 3; ++k) {
     Eigen::Vector3d end = corner;
     end[static_cast<Index>(k)] = kUnits * 1.1;
-    const Eigen::Vector2d a = projected(corner), b = projected(end);
+    const Eigen::Vector2d a = projected(corner, width), b = projected(end, width);
     const Attributes place{{"class", "spatial"}, {"data-axis", std::to_string(k)}};
     all += element("g", place,
                    svg::line(a[0], a[1], b[0], b[1], "grid") +
@@ -107,22 +108,26 @@ Markup axes(const OrbitFigure& figure) {
   return all;
 }
 
-}  // namespace
-
-Picture draw(const OrbitFigure& figure) {
+Markup drawn(const OrbitFigure& figure, double width) {
+  const double left = width > svg::kNarrow ? 76.0 : 8.0, right = width - 16.0;
   std::vector<svg::Key> keys;
   for (std::size_t s = 0; s < figure.orbits.size(); ++s)
     keys.push_back({figure.orbits[s].label, svg::class_of(figure.orbits[s].curve), s});
-  const svg::Legend legend = svg::legend(keys, 76.0, svg::kWidth - 16.0, 40.0);
+  const svg::TextLines title = svg::lines(figure.title, left, right, 16.0, "title");
+  const svg::Legend legend = svg::legend(keys, left, right, title.height + 40.0);
   const Box box = box_of(figure);
   Markup curves;
   for (std::size_t s = 0; s < figure.orbits.size(); ++s)
-    curves += curve_of(figure.orbits[s], box, s);
-  const Markup content =
-      svg::label(76.0, 16.0, svg::shortened(figure.title, 90), "start", "title") +
-      legend.markup + axes(figure) + curves;
-  return {figure.name, figure.title,
-          svg::drawing(figure.title, "orbit", svg::kWidth, kHeight, content), figure};
+    curves += curve_of(figure.orbits[s], box, s, width);
+  return svg::drawing(figure.title, "orbit", width, kHeight,
+                      title.markup + legend.markup + axes(figure, width) + curves);
+}
+
+}  // namespace
+
+Picture draw(const OrbitFigure& figure) {
+  return {figure.name, figure.title, drawn(figure, svg::kWidth), figure,
+          drawn(figure, svg::kNarrow)};
 }
 
 }  // namespace lacuna

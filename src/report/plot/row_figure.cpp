@@ -12,16 +12,17 @@ namespace {
 
 constexpr double kRow = 24.0, kLabelLine = 18.0, kFirstRow = 30.0, kAxis = 46.0;
 
-/// Characters of a label beside its bar; where one is longer all stand above their bars, where a
-/// line has room for kLongLabel.
-constexpr std::size_t kLabel = 48, kLongLabel = 120, kNote = 26;
+/// Parts of the width for a label beside its bar, and for what stands behind it; where a label is
+/// longer all stand above their bars.
+constexpr double kLabelPart = 0.45, kNotePart = 0.25;
 
 struct RowFrame {
   Scale scale;
-  double left = 0.0, right = 0.0;
-  bool labels_above = false;
+  double width = 0.0, left = 0.0, right = 0.0;
+  std::optional<double> above = {};  ///< height of labels that stand above their bars
 
-  double row_height() const { return labels_above ? kRow + kLabelLine : kRow; }
+  double row_height() const { return kRow + above.value_or(0.0); }
+  std::size_t note_room() const { return svg::room_in(kNotePart * width); }
 
   double at(double value) const { return left + scale.part(value) * (right - left); }
 };
@@ -37,17 +38,25 @@ Vector values_of(const RowFigure& figure) {
   return Eigen::Map<const Vector>(values.data(), static_cast<Index>(values.size()));
 }
 
-RowFrame frame_of(const RowFigure& figure) {
-  double label = 40.0, note = 20.0;
-  bool is_long = false;
+svg::TextLines label_above(const Row& row, double width, double top) {
+  return svg::lines(row.label, 16.0, width - 10.0, top + 14.0);
+}
+
+RowFrame frame_of(const RowFigure& figure, double width) {
+  double label = 40.0, note = 20.0, above = 0.0;
+  const std::size_t room = svg::room_in(kNotePart * width);
   for (const Row& row : figure.rows) {
-    is_long = is_long || svg::shortened(row.label, kLabel) != row.label;
-    label = std::max(label, svg::width_of(svg::shortened(row.label, kLabel)));
-    note = std::max(note, svg::width_of(svg::shortened(row.note, kNote)));
+    label = std::max(label, svg::width_of(row.label));
+    note = std::max(note, svg::width_of(svg::shortened(row.note, room)));
+    above = std::max(above, kLabelLine + label_above(row, width, 0.0).height);
   }
   const Vector values = values_of(figure);
-  return {scale_of({&values}), is_long ? 10.0 : label + 16.0, svg::kWidth - note - 18.0,
-          is_long};
+  RowFrame frame{scale_of({&values}), width, label + 16.0, width - note - 18.0};
+  if (label > kLabelPart * width) {
+    frame.left = 10.0;
+    frame.above = above;
+  }
+  return frame;
 }
 
 Markup bar(const Row& row, const RowFrame& frame, double middle) {
@@ -79,34 +88,41 @@ Markup row_of(const RowFigure& figure, const Row& row, const RowFrame& frame, do
   const double middle = top + frame.row_height() - kRow / 2.0;
   Markup all = element("title", Markup::text(row.label + ": " + format_number(row.value, 6) +
                                              (row.note.empty() ? "" : ", " + row.note)));
-  all += frame.labels_above
-             ? svg::label(16.0, top + 14.0, svg::shortened(row.label, kLongLabel), "start")
+  all += frame.above
+             ? label_above(row, frame.width, top).markup
              : svg::label(frame.left - 10.0, middle + 4.0, row.label, "end");
   all += figure.intervals ? interval(row, frame, middle) : bar(row, frame, middle);
-  all += svg::label(frame.right + 8.0, middle + 4.0, svg::shortened(row.note, kNote), "start",
-                    "tick");
+  all += svg::label(frame.right + 8.0, middle + 4.0, svg::shortened(row.note, frame.note_room()),
+                    "start", "tick");
   return element("g", {{"class", "row"}}, all);
+}
+
+Markup drawn(const RowFigure& figure, double width) {
+  const RowFrame frame = frame_of(figure, width);
+  const svg::TextLines title = svg::lines(figure.title, 8.0, width - 8.0, 16.0, "title");
+  const double first = kFirstRow + title.height;
+  const double bottom = first + frame.row_height() * static_cast<double>(figure.rows.size());
+  Markup content = title.markup;
+  const int count = static_cast<int>((frame.right - frame.left) / 70.0);
+  for (const Tick& tick : ticks_of(frame.scale, std::clamp(count, 2, 8))) {
+    const double x = frame.at(tick.value);
+    content += svg::line(x, first, x, bottom, tick.value == 0.0 ? "zero" : "grid");
+    content += svg::label(x, bottom + 16.0, tick.label, "middle", "tick");
+  }
+  content += svg::label((frame.left + frame.right) / 2.0, bottom + 36.0,
+                        svg::shortened(figure.x_label, svg::room_in(frame.right - frame.left)),
+                        "middle", "axis");
+  for (std::size_t r = 0; r < figure.rows.size(); ++r)
+    content += row_of(figure, figure.rows[r], frame,
+                      first + frame.row_height() * static_cast<double>(r));
+  return svg::drawing(figure.title, "rows", width, bottom + kAxis, content);
 }
 
 }  // namespace
 
 Picture draw(const RowFigure& figure) {
-  const RowFrame frame = frame_of(figure);
-  const double bottom = kFirstRow + frame.row_height() * static_cast<double>(figure.rows.size());
-  Markup content = svg::label(8.0, 16.0, svg::shortened(figure.title, 100), "start", "title");
-  const int count = static_cast<int>((frame.right - frame.left) / 70.0);
-  for (const Tick& tick : ticks_of(frame.scale, std::clamp(count, 2, 8))) {
-    const double x = frame.at(tick.value);
-    content += svg::line(x, kFirstRow, x, bottom, tick.value == 0.0 ? "zero" : "grid");
-    content += svg::label(x, bottom + 16.0, tick.label, "middle", "tick");
-  }
-  content += svg::label((frame.left + frame.right) / 2.0, bottom + 36.0,
-                        svg::shortened(figure.x_label, 80), "middle", "axis");
-  for (std::size_t r = 0; r < figure.rows.size(); ++r)
-    content += row_of(figure, figure.rows[r], frame,
-                      kFirstRow + frame.row_height() * static_cast<double>(r));
-  return {figure.name, figure.title,
-          svg::drawing(figure.title, "rows", svg::kWidth, bottom + kAxis, content), figure};
+  return {figure.name, figure.title, drawn(figure, svg::kWidth), figure,
+          drawn(figure, svg::kNarrow)};
 }
 
 }  // namespace lacuna

@@ -64,6 +64,34 @@ double width_of(const std::string& text) {
   return kCharacter * static_cast<double>(characters(text));
 }
 
+std::size_t room_in(double pixels) {
+  return static_cast<std::size_t>(std::max(8.0, pixels / kCharacter));
+}
+
+TextLines lines(const std::string& text, double x, double right, double y,
+                const std::string& kind) {
+  constexpr double kLine = 17.0;
+  constexpr std::size_t kMostLines = 3;
+  // Titles are bold.
+  const double wide = kind == "title" ? 1.15 : 1.0;
+  const std::size_t room = room_in((right - x) / wide);
+  TextLines all;
+  std::string rest = text;
+  for (std::size_t i = 0; !rest.empty() && i < kMostLines; ++i) {
+    std::string part = rest;
+    if (characters(rest) > room && i + 1 < kMostLines) {
+      std::size_t end = shortened(rest, room).size() - std::string("\u2026").size();
+      const std::size_t blank = rest.rfind(' ', end);
+      if (blank != std::string::npos && blank > 0) end = blank;
+      part = rest.substr(0, end);
+    }
+    rest.erase(0, std::min(part.size() + (rest[part.size()] == ' ' ? 1 : 0), rest.size()));
+    all.height = kLine * static_cast<double>(i);
+    all.markup += label(x, y + all.height, shortened(part, room), "start", kind);
+  }
+  return all;
+}
+
 Markup line(double x1, double y1, double x2, double y2, const std::string& kind) {
   return empty_element("line", {{"x1", pixels(x1)},
                                 {"y1", pixels(y1)},
@@ -77,7 +105,7 @@ Legend legend(const std::vector<Key>& keys, double left, double right, double to
   Legend result;
   double x = left, y = top;
   for (const Key& key : keys) {
-    const std::string text = shortened(key.label, 60);
+    const std::string text = shortened(key.label, room_in(right - left - kSwatch));
     const double width = kSwatch + width_of(text) + kSpace;
     if (x > left && x + width > right) {
       x = left;
@@ -107,7 +135,7 @@ Markup drawing(const std::string& title, const std::string& kind, double width, 
                   {"viewBox", "0 0 " + pixels(width) + " " + pixels(height)},
                   {"width", pixels(width)},
                   {"height", pixels(height)},
-                  {"class", "picture " + kind},
+                  {"class", "picture " + kind + (width > kNarrow ? "" : " narrow")},
                   // What can be pressed is no part of an image.
                   {"role", kind == "lines" || kind == "orbit" ? "group" : "img"}},
                  element("title", Markup::text(title)) + content);

@@ -3,8 +3,9 @@
 
 #include <cmath>
 #include <limits>
+#include <utility>
 
-#include <Eigen/Eigenvalues>
+#include "core/numerics/symmetric_eigen.hpp"
 
 namespace lacuna {
 namespace {
@@ -25,20 +26,20 @@ Matrix resolved(const Matrix& added, const Vector& size) {
   constexpr double kLeastError = 1e-6;
   const double rounding =
       std::numeric_limits<double>::epsilon() * static_cast<double>(added.rows());
-  const Eigen::SelfAdjointEigenSolver<Matrix> solver(
-      Matrix(size.asDiagonal() * added * size.asDiagonal()));
-  Vector values = solver.eigenvalues();
+  const SymmetricEigen eigen =
+      symmetric_eigen(size.asDiagonal() * added * size.asDiagonal());
+  Vector values = eigen.values;
   const double least = rounding * values[values.size() - 1];
   for (double& value : values)
     value = value > least ? std::min(value, 1.0 / (kLeastError * kLeastError)) : 0.0;
-  return solver.eigenvectors() * values.asDiagonal() * solver.eigenvectors().transpose();
+  return eigen.vectors * values.asDiagonal() * eigen.vectors.transpose();
 }
 
 Scaled scaled(const InformationParts& information, const Vector& size) {
   const Matrix own = size.asDiagonal() * information.known * size.asDiagonal() +
                      resolved(information.added, size);
-  const Eigen::SelfAdjointEigenSolver<Matrix> solver(own);
-  Scaled result{solver.eigenvalues(), solver.eigenvectors()};
+  SymmetricEigen eigen = symmetric_eigen(own);
+  Scaled result{std::move(eigen.values), std::move(eigen.vectors)};
   const double least = std::max(kRounding * result.eigenvalues[own.rows() - 1],
                                 std::numeric_limits<double>::min());
   for (double& value : result.eigenvalues)

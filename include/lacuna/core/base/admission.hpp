@@ -47,6 +47,10 @@ struct VerdictBasis {
   std::vector<std::string> open = {};
   /// Whether the records would show the opposite of the claim.
   bool shows_opposite = true;
+  /// Nothing moves: what was measured never changes, or is noise.
+  bool still = false;
+  /// The longest memory of what the claim takes for noise, as a fraction of a record.
+  std::optional<Bounded> memory = {};
 };
 
 /// The answer of admit().
@@ -64,9 +68,12 @@ struct Admission {
 ///
 /// Refused are
 /// - any claim that a stage could change that was left out: Incomplete;
-/// - CoefficientsOff with no coefficient and no combination to point at: Undetermined;
 /// - any claim that rests on numbers that the records do not determine: Undetermined;
-/// - any claim of which the records would not show the opposite: Undetermined.
+/// - any claim of which the records would not show the opposite: Undetermined;
+/// - any claim on records in which nothing moves: Undetermined;
+/// - any claim that takes for noise what remembers more than a fraction of the record: noise as
+///   slow as that is not distinguished from structure: Undetermined;
+/// - CoefficientsOff with no coefficient and no combination to point at: Undetermined.
 Admission admit(const VerdictBasis& basis);
 
 }  // namespace lacuna

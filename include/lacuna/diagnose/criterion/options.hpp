@@ -32,6 +32,7 @@ struct DecisionOptions {
   int start_fits = 6;
 
   double noise_inflation = 1.3;
+  double longest_memory = 1.0 / 3.0;
   int long_window = 10;
   double outlying = kOutlyingDeviations;
   double pile_up = 5.0;

@@ -35,7 +35,8 @@ struct HintOptions {
 };
 
 /// The hint that nothing moves, where each measured channel is white noise
-/// (HintOptions::significance) or never changes; it needs no model.
+/// (HintOptions::significance) no larger than barely_moving of its noise, or never changes; it
+/// needs no model.
 std::optional<Hint> stillness(const BoundRecords& records, const HintOptions& options);
 
 /// A look at records before a model is diagnosed on them.

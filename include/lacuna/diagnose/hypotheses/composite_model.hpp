@@ -81,6 +81,16 @@ struct Rival {
   std::string rule = {};      ///< what decided whatever the number; empty: the number did
 };
 
+/// Another explanation of the same records, which they do not distinguish from the one that was
+/// taken.
+struct Twin {
+  std::string what;                     ///< names and places of its effects: twin_of()
+  std::string sentence;                 ///< for people
+  std::vector<std::string> names = {};  ///< of its effects
+  bool measurement = false;             ///< whether a fault of a channel is among these
+  std::string instead_of = {};          ///< the one effect in whose place it may be; empty: all
+};
+
 /// One explanation of the records as a whole: what is assumed of them, the effects on top, and
 /// the residual structure.
 struct CompositeModel {
@@ -94,8 +104,20 @@ struct CompositeModel {
   std::vector<NamedEffect> findings = {};    ///< what the assumptions themselves are called
   std::optional<Unnamed> unnamed = {};       ///< what can be said of what has no name
   std::vector<std::string> notes = {};       ///< for people
-  std::vector<std::string> doubts = {};      ///< what explains the records as well elsewhere
+  std::vector<Twin> twins = {};              ///< what explains the records as well elsewhere
 };
+
+/// Where an effect acts: " in dw/dt", " of i" of a channel.
+std::string place_of(const NamedEffect& effect, const OdeModel& nominal);
+
+/// Names and places of effects that act together: "constant-offset in dw/dt with constant-offset
+/// in di/dt", "sensor-offset of i".
+std::string names_in_places(const std::vector<NamedEffect>& effects, const OdeModel& nominal);
+
+/// Effects, all together, in the place of what was taken: none of them alone is a twin.
+/// @param sentence empty: that the records do not distinguish the two.
+Twin twin_of(const std::vector<NamedEffect>& effects, const OdeModel& nominal,
+             std::string sentence = {});
 
 /// The composite model of a baseline that nothing is missing.
 CompositeModel bare_composite(const Problem& problem, std::string hypothesis,

@@ -48,12 +48,34 @@ struct CoefficientChange {
   std::array<double, 2> ci95() const { return interval95(estimated, deviation); }
 };
 
+/// Two coefficients of an equation that are off together, weighted, while the records do not
+/// determine how much each is: first + weight * second.
+struct CombinedChange {
+  Index equation = 0;
+  std::string first, second;  ///< their terms
+  double weight = 0.0;
+  double nominal = 0.0;  ///< of the combination
+  double estimated = 0.0;
+  double deviation = 0.0;
+  double sigma = 0.0;  ///< of the best of all pairs
+
+  /// 95 % confidence interval of the estimate.
+  std::array<double, 2> ci95() const { return interval95(estimated, deviation); }
+};
+
 /// The residual structure in the end.
 struct Remaining {
   bool structure = false;
   double sigma = 0.0;
   std::vector<Index> equations;            ///< with significant structure
   std::vector<EquationStructure> details;  ///< one for each of them
+};
+
+/// The least rate in an equation that would have been significant.
+struct SmallestEffect {
+  Index equation = 0;
+  double rate = 0.0;
+  double relative = 0.0;  ///< over the rms of the state's rate
 };
 
 /// What a nominal model lacks.
@@ -77,6 +99,10 @@ struct Diagnosis {
   /// Whether the search's verdict may be given, and why not: `verdict` is Undetermined or
   /// Incomplete then, and effects are candidates without a claim.
   Admission admission = {};
+  std::optional<CombinedChange> combined_change = {};  ///< where no coefficient is off by itself
+  std::vector<SmallestEffect> smallest_effects = {};  ///< with the verdict Undetermined
+  std::vector<Twin> twins = {};  ///< what explains the records as well as the effects
+  std::vector<std::string> reservations = {};  ///< what else is against them, a phrase each
 };
 
 }  // namespace lacuna

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "population_search.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
 
+#include "core/numerics/symmetric_eigen.hpp"
 #include "lacuna/core/statistics/interval.hpp"
 #include "smooth_minimum.hpp"
 
@@ -142,13 +142,13 @@ void invert(const Matrix& curvature, const Vector& scale, PopulationErrors& erro
   if (free.empty() || !curvature.allFinite()) return;
   const Vector units = scale(free);
   const Matrix scaled = units.asDiagonal() * Matrix(curvature(free, free)) * units.asDiagonal();
-  const Eigen::SelfAdjointEigenSolver<Matrix> solver(scaled);
+  const SymmetricEigen eigen = symmetric_eigen(scaled);
   Matrix inverse = Matrix::Zero(scaled.rows(), scaled.rows());
   Vector open = Vector::Zero(scaled.rows());
   for (Index i = 0; i < scaled.rows(); ++i) {
-    const Vector direction = solver.eigenvectors().col(i);
-    if (solver.eigenvalues()[i] > kLeast)
-      inverse += direction * direction.transpose() * 2.0 / solver.eigenvalues()[i];
+    const Vector direction = eigen.vectors.col(i);
+    if (eigen.values[i] > kLeast)
+      inverse += direction * direction.transpose() * 2.0 / eigen.values[i];
     else
       open = open.cwiseMax(direction.cwiseAbs());
   }

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "trajectories/sensitivities/implicit/radau.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <complex>
 #include <limits>
+
+#include "core/numerics/eigenvalues.hpp"
 
 namespace lacuna {
 namespace {
@@ -205,9 +206,7 @@ bool is_beyond_explicit_steps(const Eigen::Ref<const Matrix>& jacobian, double s
   const double bound = kStable / step;
   if (!(jacobian.cwiseAbs().rowwise().sum().maxCoeff() > bound) || !jacobian.allFinite())
     return false;  // no eigenvalue is larger than the largest sum of a row
-  const Eigen::EigenSolver<Matrix> solver(jacobian, false);
-  if (solver.info() != Eigen::Success) return false;
-  const auto& values = solver.eigenvalues();
+  const std::vector<std::complex<double>> values = eigenvalues(jacobian);
   return std::any_of(values.begin(), values.end(), [&](const std::complex<double>& value) {
     return value.real() < 0.0 && std::abs(value) > bound;
   });

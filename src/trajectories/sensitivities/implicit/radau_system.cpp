@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "trajectories/sensitivities/implicit/radau_system.hpp"
 
-#include <Eigen/Eigenvalues>
+#include <cmath>
 #include <complex>
 
 namespace lacuna {
@@ -16,22 +16,36 @@ struct Modes {
   Eigen::Vector3cd pair_right, pair_left;
 };
 
+/// What is orthogonal to two vectors, without conjugates.
+template <class Scalar>
+Eigen::Matrix<Scalar, 3, 1> orthogonal_to(const Eigen::Matrix<Scalar, 3, 1>& a,
+                                          const Eigen::Matrix<Scalar, 3, 1>& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+/// The eigenvectors of a simple eigenvalue: M - value has rank 2, so two of its rows (columns) give
+/// the right (left) one.
+template <class Scalar>
+void write_eigenvectors(Scalar value, Eigen::Matrix<Scalar, 3, 1>& right,
+                        Eigen::Matrix<Scalar, 3, 1>& left) {
+  Eigen::Matrix<Scalar, 3, 3> shifted = Radau::inverse().cast<Scalar>();
+  for (Index i = 0; i < 3; ++i) shifted(i, i) -= value;
+  right = orthogonal_to<Scalar>(shifted.row(0).transpose(), shifted.row(1).transpose());
+  left = orthogonal_to<Scalar>(shifted.col(0), shifted.col(1));
+  Scalar product(0.0);
+  for (Index i = 0; i < 3; ++i) product += left[i] * right[i];
+  left /= product;
+}
+
+/// The eigenvalues are the zeros of z^3 - 9 z^2 + 36 z - 60 (Hairer and Wanner, IV.8; the
+/// denominator of the stability function, Table IV.3.1): with z = 3 + u, u^3 + 9 u = 6.
 Modes find_modes() {
-  const Eigen::EigenSolver<Eigen::Matrix3d> solver(Radau::inverse());
-  const Eigen::Matrix3cd right = solver.eigenvectors(), left = right.inverse();
+  const double low = std::cbrt(3.0), high = std::cbrt(9.0);
   Modes modes;
-  for (Index k = 0; k < 3; ++k) {
-    const std::complex<double> value = solver.eigenvalues()[k];
-    if (value.imag() == 0.0) {
-      modes.real = value.real();
-      modes.real_right = right.col(k).real();
-      modes.real_left = left.row(k).transpose().real();
-    } else if (value.imag() > 0.0) {
-      modes.pair = value;
-      modes.pair_right = right.col(k);
-      modes.pair_left = left.row(k).transpose();
-    }
-  }
+  modes.real = 3.0 + high - low;
+  modes.pair = {3.0 - 0.5 * (high - low), 0.5 * std::sqrt(3.0) * (high + low)};
+  write_eigenvectors(modes.real, modes.real_right, modes.real_left);
+  write_eigenvectors(modes.pair, modes.pair_right, modes.pair_left);
   return modes;
 }
 

@@ -17,6 +17,10 @@ std::string without_codes(const std::string& text) {
 TEST(Terminal, VerdictsHaveTheColourOfTheirTone) {
   EXPECT_EQ(coloured("Explained: it has a name."),
             "\x1b[1;32mExplained\x1b[0m: it has a name.");
+  EXPECT_EQ(coloured("Explained but for a choice."),
+            "\x1b[1;33mExplained but for a choice\x1b[0m.");
+  EXPECT_EQ(coloured("Not finished; left out: effects."),
+            "\x1b[1;33mNot finished\x1b[0m; left out: effects.");
   EXPECT_EQ(coloured("Partly explained: more is left."),
             "\x1b[1;33mPartly explained\x1b[0m: more is left.");
   EXPECT_EQ(coloured("Does not hold; 3 V"), "\x1b[1;31mDoes not hold\x1b[0m; 3 V");

@@ -44,6 +44,24 @@ TEST(Admission, CoefficientsAreOffOnlyWhereOneCanBePointedAt) {
   EXPECT_TRUE(admit({.claim = Claim::Fits, .changed = 0}).stands());
 }
 
+TEST(Admission, RecordsInWhichNothingMovesDetermineNothing) {
+  for (const Claim claim : kAll) {
+    const Admission admission = admit({.claim = claim, .still = true});
+    EXPECT_EQ(admission.standing, Standing::Undetermined);
+    EXPECT_THAT(admission.why, HasSubstr("nothing moves"));
+  }
+}
+
+TEST(Admission, NoiseWithAMemoryAsLongAsARecordIsNotDistinguishedFromStructure) {
+  for (const Claim claim : kAll) {
+    EXPECT_TRUE(admit({.claim = claim, .memory = Bounded{0.2, 0.25}}).stands());
+    const Admission admission = admit({.claim = claim, .memory = Bounded{0.75, 0.25}});
+    EXPECT_EQ(admission.standing, Standing::Undetermined);
+    EXPECT_THAT(admission.why, HasSubstr("75 %"));
+    EXPECT_FALSE(admission.remedy.empty());
+  }
+}
+
 TEST(Admission, ACutSearchIsTheFirstReason) {
   EXPECT_EQ(admit({.claim = Claim::CoefficientsOff,
                    .stages = {{"effects", false, kTimeIsUp}},

@@ -39,6 +39,18 @@ TEST(ZipReader, LargeAndDamagedEntriesAreRefused) {
                           "cannot be as large", "");
 }
 
+TEST(ZipReader, EntriesThatShareBytesAreRefused) {
+  // The second entry begins inside of the first one: its offset is the last number of its line
+  // in the directory.
+  std::string bytes = testing::zip_archive({{"a.txt", std::string(100, 'a')}, {"b.txt", "b"}});
+  const std::size_t line = bytes.rfind("PK\x01\x02");
+  for (const int begin : {0, 40}) {
+    bytes.replace(line + 42, 4, testing::bytes_of({static_cast<std::uint64_t>(begin)}, 4));
+    expect_error<DataError>([&] { open_zip(bytes, "a.zip", "save it again"); }, "a.zip",
+                            "stand in the same bytes", "save it again");
+  }
+}
+
 TEST(ZipReader, AnArchiveCutAnywhereIsRefused) {
   const std::string bytes = testing::zip_archive({{"a.txt", "hello"}});
   ASSERT_GT(bytes.size(), 22u);

@@ -131,6 +131,45 @@ TEST(Hdf5, OtherFilesAreNotOpened) {
                                    folder.file("a.h5"), "'y' is a link to another file",
                                    "copy what it leads to");
 }
+
+TEST(Hdf5, NumbersThatStandInOtherFilesAreNotRead) {
+  const testing::TemporaryFolder folder;
+  const std::vector<double> numbers{0.0, 1.0, 2.0};
+  const std::string other = folder.write("other.bin", std::string(24, 'x'));
+  for (const bool is_virtual : {false, true})
+    for (const bool in_blocks : {false, true}) {
+      {
+        const testing::WrittenHdf5 file(folder.file("a.h5"));
+        file.add("t", H5T_NATIVE_DOUBLE, numbers.data(), 3);
+        if (is_virtual)
+          file.add_virtual("x", folder.file("b.h5"), "/x", 3);
+        else
+          file.add_stored_elsewhere("x", other, 3);
+      }
+      testing::expect_error<DataError>(
+          [&] {
+            if (in_blocks)
+              hdf5_blocks(folder.file("a.h5"), {1000, 1000});
+            else
+              read_table(folder.file("a.h5"));
+          },
+          folder.file("a.h5"), "'x' keeps its numbers in another file", "copy them");
+    }
+}
+
+TEST(Hdf5, WhatIsPutTogetherFromTheSameFileIsReadByItsOwnName) {
+  const testing::TemporaryFolder folder;
+  const std::vector<double> numbers{0.0, 1.0, 2.0};
+  {
+    const testing::WrittenHdf5 file(folder.file("a.h5"));
+    file.add("t", H5T_NATIVE_DOUBLE, numbers.data(), 3);
+    file.add("x", H5T_NATIVE_DOUBLE, numbers.data(), 3);
+    file.add_virtual("y", ".", "/x", 3);
+  }
+  const Table table = read_table(folder.file("a.h5"));
+  EXPECT_EQ(table.columns.size(), 2u);
+  EXPECT_THAT(table.notes, ::testing::Contains(::testing::HasSubstr("'y' is put together")));
+}
 #endif
 
 }  // namespace

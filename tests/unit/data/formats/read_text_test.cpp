@@ -103,6 +103,20 @@ TEST(ReadText, RefusesTextInAColumn) {
   expect_error<DataError>([] { parse("t,x\n0,1\nt,x\n1,2\n"); }, "a.csv:3:1", "'t'", "number");
 }
 
+TEST(ReadText, NamesTheTextBesideDecimalCommas) {
+  // Under commas these lines would be a table too, with a column of text.
+  expect_error<DataError>(
+      [] { parse("t;x\n0,0;1,5\n0,1;1,7\n0,2;open\n0,3;2,1\n0,4;2,3\n"); }, "a.csv:4:2",
+      "'open' in column 'x' is not a number", "leave the field empty");
+}
+
+TEST(ReadText, CountsWordsForMissingValues) {
+  const Table table = parse("t;x;y\n0,0;n.d.;-\n0,1;1,5;2,5\n0,2;#NV;\n0,3;NaN;1,5\n");
+  EXPECT_EQ(table.values.array().isNaN().count(), 5);
+  EXPECT_THAT(table.notes, ElementsAre("a.csv:2:2: 3 cells say that a value is missing, here "
+                                       "'n.d.'"));
+}
+
 TEST(ReadText, RefusesDuplicateNames) {
   expect_error<DataError>([] { parse("# c\nt,x,x\n0,1,2\n"); }, "a.csv:2:3",
                           "columns 2 and 3 are both named 'x'", "name of its own");

@@ -38,7 +38,7 @@ TEST(Cell, NumbersBehindALabel) {
 TEST(Cell, ClocksAndText) {
   for (const char* text : {"10:00", "2023-12-05", "05/12/23 11:58:00 AM"})
     EXPECT_EQ(read_cell(text).kind, Kind::Clock) << text;
-  for (const char* text : {"base_link", "12 parsec", "3rd", "on", "a:b", "0x1F", "t:", "-"})
+  for (const char* text : {"base_link", "12 parsec", "3rd", "on", "a:b", "0x1F", "t:", "--"})
     EXPECT_EQ(read_cell(text).kind, Kind::Text) << text;
 }
 

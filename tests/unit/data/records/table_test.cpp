@@ -47,6 +47,18 @@ TEST(SplitHeader, FindsTheUnit) {
   EXPECT_EQ(split_header("a) b]"), (Quantity{"a) b]", ""}));
 }
 
+TEST(SplitHeader, DigitsInBracketsAreAnIndex) {
+  EXPECT_EQ(split_header("/joint_states/position[0]"),
+            (Quantity{"/joint_states/position[0]", ""}));
+  EXPECT_EQ(split_header("q[12] [rad]"), (Quantity{"q[12]", "rad"}));
+  EXPECT_EQ(split_header("CH(2)"), (Quantity{"CH(2)", ""}));
+  EXPECT_EQ(split_header("ratio [1]"), (Quantity{"ratio", "1"})) << "as it is written here";
+  Table table;
+  name_columns(table, {split_header("position[0]"), split_header("position[1]")}, 1);
+  EXPECT_EQ(table.columns[0].name, "position_0");
+  EXPECT_EQ(table.columns[1].name, "position_1");
+}
+
 TEST(NameColumns, KeepsGoodNamesWithoutANote) {
   const Table table = named({{"t", "s"}, {"x", "V"}});
   EXPECT_THAT(table.columns, ElementsAre(Quantity{"t", "s"}, Quantity{"x", "V"}));

@@ -29,7 +29,8 @@ TEST(ReadField, Numbers) {
 
 TEST(ReadField, MissingValues) {
   for (const char* text :
-       {"", "  ", "NaN", "nan", "-nan", "NA", "n/a", "null", "None", "\"\""}) {
+       {"", "  ", "NaN", "nan", "-nan", "NA", "n/a", "null", "None", "\"\"", "n.d.", "ND", "-",
+        "#NV", "#N/A"}) {
     EXPECT_EQ(read_field(text).kind, Kind::Missing) << text;
     EXPECT_TRUE(std::isnan(read_field(text).value)) << text;
   }
@@ -57,7 +58,7 @@ TEST(ReadField, TheMinusSignOfTypesetting) {
   EXPECT_EQ(read_field("\"\u22120,25\"").value, -0.25);
   EXPECT_EQ(read_field("\u221212.345,5").value, -12345.5);
   EXPECT_EQ(read_field("\u2212\u221e").value, -std::numeric_limits<double>::infinity());
-  EXPECT_EQ(read_field("\u2212").kind, Kind::Text);
+  EXPECT_EQ(read_field("\u2212").kind, Kind::Missing) << "a dash";
   EXPECT_EQ(read_field("1\u22122").kind, Kind::Text);
 }
 

@@ -108,11 +108,40 @@ TEST(SensorCalibration, AConstantForceDoesAsWellAsAnOffset) {
   ASSERT_EQ(made.composites.size(), 1u);
   const CompositeModel& composite = made.composites[0].composite;
   EXPECT_TRUE(std::holds_alternative<ByRule>(made.composites[0].judged));
-  EXPECT_EQ(composite.doubts.size(), 1u) << "neither is distinguished from the other";
+  EXPECT_EQ(composite.twins.size(), 1u) << "neither is distinguished from the other";
   ASSERT_EQ(composite.named.size(), 1u);
   EXPECT_EQ(composite.named[0].name, "constant-offset") << "the dynamics lead";
   ASSERT_FALSE(composite.named[0].alternatives.empty());
   EXPECT_EQ(composite.named[0].alternatives[0].name, "sensor-offset");
+}
+
+TEST(SensorCalibration, TheTwinOfAnOffsetInTwoEquationsIsBothConstantsTogether) {
+  const support::Asked asked =
+      with_sensor(1, [](double v, double) { return v + 0.2; });
+  CompositeModel best = asked.bare();
+  std::vector<FittedEffect> constants;
+  for (const Index equation : {0, 1}) {
+    constants.push_back({{.form = Expression::number(1.0),
+                          .argument = Expression::number(1.0),
+                          .starts = {Vector()},
+                          .equation = equation},
+                         Vector(),
+                         0.0,
+                         0.0});
+    best.named.push_back({.equation = equation, .name = "constant-offset", .term = "1"});
+  }
+  best.explanation = explain_on(asked.problem(), *best.base, best.base->fitted, constants);
+  const Proposals made = SensorCalibration().propose(asked.problem(), best);
+  ASSERT_EQ(made.composites.size(), 1u);
+  const CompositeModel& composite = made.composites[0].composite;
+  ASSERT_EQ(composite.named.size(), 1u);
+  EXPECT_EQ(composite.named[0].name, "sensor-offset");
+  ASSERT_EQ(composite.twins.size(), 1u) << "none of the two alone";
+  EXPECT_EQ(composite.twins[0].what, "constant-offset in dq/dt with constant-offset in dv/dt");
+  EXPECT_EQ(composite.twins[0].names, std::vector<std::string>{"constant-offset"});
+  EXPECT_FALSE(composite.twins[0].measurement);
+  ASSERT_FALSE(composite.named[0].alternatives.empty());
+  EXPECT_EQ(composite.named[0].alternatives[0].term, "1 in dq/dt with 1 in dv/dt");
 }
 
 /// Dry friction seen by a channel that picks up the position.

@@ -72,7 +72,7 @@ TEST(SensorTiming, ASensorThatAveragesIsNoInputThatIsLate) {
   const FittedEffect& sensor = composite.explanation.effects.front();
   const auto filters = static_cast<double>(sensor.candidate.memory.size());
   EXPECT_NEAR(filters * sensor.coefficient * sensor.shapes[0], 0.1, 0.01);
-  EXPECT_TRUE(composite.doubts.empty());
+  EXPECT_TRUE(composite.twins.empty());
   EXPECT_FALSE(leaves_structure(composite, asked.options.decision));
   EXPECT_GT(composite.base->fit_options.free.size(), 0u) << "coefficients are fitted";
 }
@@ -133,7 +133,7 @@ TEST(SensorTiming, WhereOneChannelShowsAllBothAreSaid) {
   const Proposals made = SensorTiming().propose(asked.problem(), best);
   ASSERT_EQ(made.composites.size(), 1u);
   const CompositeModel& both = made.composites[0].composite;
-  EXPECT_FALSE(both.doubts.empty());
+  EXPECT_FALSE(both.twins.empty());
   ASSERT_EQ(both.named.size(), 1u);
   EXPECT_FALSE(both.named[0].alternatives.empty());
 }

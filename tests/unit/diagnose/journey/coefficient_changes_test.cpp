@@ -40,6 +40,32 @@ TEST(CoefficientChanges, MostSignificantFirst) {
   EXPECT_EQ(changes[2].sigma, 0.0) << "no standard error is no significance";
 }
 
+TEST(CoefficientChanges, TwoThatTheRecordsDoNotDistinguishAreOffTogether) {
+  Assimilation fit = changed();  // q by 0.5, v by -0.1
+  fit.covariance.setZero();
+  fit.covariance.diagonal() << 0.25, 0.01, 1.0;  // one deviation each
+  EXPECT_FALSE(combined_change(support::oscillator(), fit, 3, 3.0)) << "two of chi squared 2";
+  // Nearly -1 correlated: q + 5 v is determined and has not moved, q - 5 v is not determined.
+  fit.covariance(0, 1) = fit.covariance(1, 0) = -0.999 * 0.5 * 0.1;
+  EXPECT_FALSE(combined_change(support::oscillator(), fit, 3, 3.0));
+  // Nearly 1 correlated: q - 5 v is determined, and has moved by 1.
+  fit.covariance(0, 1) = fit.covariance(1, 0) = 0.999 * 0.5 * 0.1;
+  const auto found = combined_change(support::oscillator(), fit, 3, 3.0);
+  ASSERT_TRUE(found);
+  EXPECT_EQ(found->first, "q");
+  EXPECT_EQ(found->second, "v");
+  EXPECT_NEAR(found->weight, -5.0, 1e-9);
+  EXPECT_NEAR(found->nominal, -4.0 - 5.0 * -0.2, 1e-9);
+  EXPECT_NEAR(found->estimated, found->nominal + 1.0, 1e-9);
+  EXPECT_NEAR(found->deviation, std::sqrt(0.25 + 0.25 - 2.0 * 0.999 * 0.25), 1e-9);
+  EXPECT_GT(found->sigma, 10.0);
+  fit.covariance(2, 2) = 0.0;
+  EXPECT_TRUE(combined_change(support::oscillator(), fit, 3, 3.0)) << "no error of the third";
+  fit.covariance(1, 1) = 1e-6;
+  fit.covariance(0, 1) = fit.covariance(1, 0) = 0.0;
+  EXPECT_FALSE(combined_change(support::oscillator(), fit, 3, 3.0)) << "v is off by itself";
+}
+
 TEST(CoefficientChanges, OnlyThoseOfTheNominalModel) {
   const auto changes = coefficient_changes(support::oscillator(), changed(), 1);
   ASSERT_EQ(changes.size(), 1u);

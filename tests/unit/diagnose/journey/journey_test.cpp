@@ -106,7 +106,11 @@ TEST_F(Journey, EffectsAreSoughtOnTopOfAnAssumptionThatHasWon) {
 
 TEST_F(Journey, AnAssumptionThatDoesAsWellIsADoubt) {
   const auto doubts = [&](double gain) {
-    return judged(Phase::Assumptions, {Claims<kSecond>(Phase::Assumptions, gain)}).best.doubts;
+    std::vector<std::string> said;
+    for (const Twin& twin :
+         judged(Phase::Assumptions, {Claims<kSecond>(Phase::Assumptions, gain)}).best.twins)
+      said.push_back(twin.sentence);
+    return said;
   };
   EXPECT_EQ(doubts(5.0),
             std::vector<std::string>{"the records allow as well (bare): nothing is missing"});

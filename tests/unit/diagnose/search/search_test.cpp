@@ -100,7 +100,7 @@ TEST_F(Search, RivalsElsewhereDoAsWellInTheEnd) {
   asked_.options.decision.undecided = 1e6;
   const auto rivals = rivals_elsewhere(search, effects);
   ASSERT_EQ(rivals.size(), 1u);
-  EXPECT_EQ(rivals[0],
+  EXPECT_EQ(rivals[0].sentence,
             "in the place of dry the records allow as well cubic (q^3) in dv/dt; coefficients "
             "that are known (--tolerance) may decide");
 }

@@ -70,6 +70,19 @@ TEST(ObservedAlike, HasTheNoiseWithoutTheOutliersThatItMarks) {
   EXPECT_EQ(visible_noise(other), estimate_noise(other.data));
 }
 
+TEST(ObservedAlike, AnEndThatOtherRecordsGoBeyondIsNoneThere) {
+  Dataset data = without_rate();
+  auto x = data.trajectories[0].states.col(0).array();
+  const double end = 0.5 * x.maxCoeff();
+  Dataset clipped = data;
+  clipped.trajectories[0].states.col(0) = x.min(end).matrix();
+  const BoundRecords first = observed(clipped);
+  ASSERT_EQ(first.channels[0].limits.high, end);
+  EXPECT_GT(observed_alike(clipped, first).channels[0].at_top, 0.0);
+  EXPECT_EQ(observed_alike(data, first).channels[0].at_top, 0.0);
+  EXPECT_EQ(observed_alike(data, first).data.trajectories[0].states, data.trajectories[0].states);
+}
+
 TEST(Observed, RefusesWhatCannotBeUsed) {
   Dataset data = without_rate();
   data.trajectories[0].time[7] = 0.0;

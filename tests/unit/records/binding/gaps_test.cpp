@@ -114,6 +114,20 @@ Trajectory with_seam(Index seam, Index missing) {
   return record;
 }
 
+TEST(UsableRecords, StatesMayHaveFarFewerSamplesThanInputs) {
+  Dataset data = pieces({piece(0, 400, 1)});
+  Trajectory& record = data.trajectories[0];
+  for (Index i = 0; i < 400; ++i)
+    for (Index k = 0; k < data.state_count(); ++k)
+      if (i % 20 != 0) set_mark(record, i, k, Mark::Missing);
+  const UsableRecords whole = usable_records(data);
+  ASSERT_EQ(whole.data.trajectories.size(), 1u);
+  EXPECT_EQ(whole.data.samples(), 381) << "from the first to the last that shows something";
+  for (Index i = 100; i < 330; ++i)  // eleven of these steps
+    for (Index k = 0; k < data.state_count(); ++k) set_mark(record, i, k, Mark::Missing);
+  EXPECT_EQ(usable_records(data).data.trajectories.size(), 2u);
+}
+
 TEST(UsableRecords, AreCutAtASeam) {
   for (const Index missing : {0, 1, 5}) {
     SCOPED_TRACE(missing);

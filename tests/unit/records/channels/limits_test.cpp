@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <utility>
+#include <vector>
 
 #include "core/base/random.hpp"
 #include "lacuna/data/records/marks.hpp"
@@ -76,6 +78,57 @@ TEST(VisibleLimits, WhatComesToRestIsNotClipped) {
 TEST(VisibleLimits, AStopThatStopsTheStateIsNoEndOfTheChannel) {
   const Dataset data = record_of([](double t) { return std::min(tone(t), 0.7); }, 0.005);
   EXPECT_FALSE(visible_limits(data, kPileUp)[0].high) << "its noise goes on";
+}
+
+/// A vessel with one input, a sample each 0.01 s: rests at 0, is filled with 0.3/4 exp(-t/4)
+/// per second while u is 1, and is emptied at 0.15 per second while u is -1; below 0 there is
+/// nothing.
+Dataset vessel(const std::vector<std::pair<double, double>>& phases) {
+  Dataset data;
+  data.states = {{"h", "m"}};
+  data.inputs = {{"u", ""}};
+  Trajectory record;
+  std::vector<double> level{0.0}, input;
+  for (const auto& [u, length] : phases)
+    for (double t = 0.0; t < length - 1e-9; t += 0.01) {
+      const double h = level.back();
+      input.push_back(u);
+      level.push_back(u > 0.0 ? 0.3 + (h - 0.3) * std::exp(-0.01 / 4.0)
+                              : std::max(0.0, h + 0.0015 * u));
+    }
+  input.push_back(input.back());
+  const auto n = static_cast<Index>(level.size());
+  record.time = Vector::LinSpaced(n, 0.0, 0.01 * static_cast<double>(n - 1));
+  record.states = Eigen::Map<const Vector>(level.data(), n);
+  record.inputs = Eigen::Map<const Vector>(input.data(), n);
+  data.trajectories = {std::move(record)};
+  return data;
+}
+
+TEST(VisibleLimits, TheRestInFrontOfAStepIsNoLimit) {
+  const Dataset data = vessel({{0.0, 5.0}, {1.0, 8.0}});
+  ASSERT_EQ((data.trajectories[0].states.array() == 0.0).count(), 501);
+  EXPECT_FALSE(visible_limits(data, kPileUp)[0].low);
+}
+
+TEST(VisibleLimits, TheRestToWhichItComesBackIsNoLimit) {
+  // The level stops at 0 at its speed, and stays there while nothing drives it.
+  Dataset data = vessel({{0.0, 5.0}, {1.0, 8.0}, {-1.0, 2.0}, {0.0, 5.0}, {1.0, 3.0}});
+  Trajectory& record = data.trajectories[0];
+  for (Index i = 1; i < record.samples(); ++i)  // the valve closes when the vessel is empty
+    if (record.states(i, 0) == 0.0 && record.inputs(i, 0) < 0.0) record.inputs(i, 0) = 0.0;
+  EXPECT_FALSE(visible_limits(data, kPileUp)[0].low);
+}
+
+TEST(VisibleLimits, WhatStaysAtItsEndWhileSomethingMovesIsClipped) {
+  // The record begins at the end of its channel, and comes back there while its input moves.
+  Dataset data = clipped_at(record_of([](double t) { return std::cos(2.0 * t); }, 0.0), -0.8, 0.7);
+  Trajectory& record = data.trajectories[0];
+  data.inputs = {{"u", "V"}};
+  record.inputs = (1.3 * record.time.array()).sin().matrix();
+  const auto limits = visible_limits(data, kPileUp);
+  ASSERT_TRUE(limits[0].low && limits[0].high);
+  EXPECT_EQ(*limits[0].high, 0.7);
 }
 
 TEST(WithLimits, MarksWhatIsAtAnEndOrBeyond) {

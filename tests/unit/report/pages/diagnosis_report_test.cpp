@@ -111,6 +111,49 @@ TEST(DiagnosisReport, NoHeadlineDeniesAGapThatStays) {
   EXPECT_TRUE(json["gap"].contains("above_floor"));
 }
 
+TEST(DiagnosisReport, ATwinIsAChoiceAndNoStructureThatIsLeft) {
+  Diagnosis diagnosis = made();
+  diagnosis.verdict = Verdict::PartlyExplained;
+  NamedEffect offset{.equation = 0, .place = Place::Channel, .name = "sensor-offset"};
+  NamedEffect force{.equation = 1, .name = "constant-offset"};
+  diagnosis.effects = {force};
+  diagnosis.twins = {twin_of({offset}, diagnosis.nominal)};
+  EXPECT_THAT(format_text(diagnosis),
+              testing::StartsWith("Explained but for the choice between constant-offset in "
+                                  "dv/dt and sensor-offset of q."));
+  const auto json = nlohmann::json::parse(format_json(diagnosis));
+  EXPECT_EQ(json["verdict"], "partly-explained");
+  EXPECT_EQ(json["effects"][0]["claim"], false);
+  EXPECT_EQ(json["effects"][0]["not_told_apart"], nlohmann::json({"sensor-offset"}));
+  EXPECT_EQ(json["dynamics_or_measurement"], true);
+  diagnosis.remaining.equations = {1};
+  EXPECT_THAT(format_text(diagnosis), testing::HasSubstr("significant structure is left"));
+}
+
+TEST(DiagnosisReport, AReservationIsSaidAsWhatItIs) {
+  Diagnosis diagnosis = made();
+  diagnosis.verdict = Verdict::PartlyExplained;
+  diagnosis.reservations = {"a parameter sits on its bound: T = 3 of delay"};
+  const std::string text = format_text(diagnosis);
+  EXPECT_THAT(text, testing::HasSubstr("but a parameter sits on its bound"));
+  EXPECT_THAT(text, testing::Not(testing::HasSubstr("significant structure is left")));
+}
+
+TEST(DiagnosisReport, ARefusalSaysWhyAndWhatWouldHaveBeenSeen) {
+  Diagnosis diagnosis = made();
+  diagnosis.effects.clear();
+  diagnosis.verdict = Verdict::Undetermined;
+  diagnosis.admission = {Standing::Undetermined, "nothing moves", "use records with motion"};
+  diagnosis.smallest_effects = {{1, 0.25, 0.5}};
+  EXPECT_THAT(format_text(diagnosis), testing::StartsWith("Undetermined: nothing moves."));
+  EXPECT_THAT(format_text(diagnosis), testing::HasSubstr("from 0.25 m/s^2 rms on (50 %"));
+  const auto json = nlohmann::json::parse(format_json(diagnosis));
+  EXPECT_EQ(json["verdict"], "undetermined");
+  EXPECT_EQ(json["why"], "nothing moves");
+  EXPECT_EQ(json["smallest_effect"][0]["rate"], 0.25);
+  EXPECT_TRUE(nlohmann::json::parse(format_json(made()))["smallest_effect"].is_null());
+}
+
 TEST(DiagnosisReport, VerdictsHaveTheirWords) {
   EXPECT_EQ(to_string(Verdict::NoDiscrepancy), "no-discrepancy");
   EXPECT_EQ(to_string(Verdict::CoefficientsOnly), "coefficients-only");

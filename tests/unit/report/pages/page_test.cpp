@@ -57,6 +57,36 @@ TEST(Page, SaysTheAnswerFirst) {
   EXPECT_THAT(html, HasSubstr("<code>lacuna sync m.json</code>"));
 }
 
+TEST(Page, BeginsWithVerdictEquationsAndOnePicture) {
+  Page page{"kind", "It holds.", Tone::Good, {"Because."}, {{"Gap", "3 %", "of 4"}},
+            element("i", Markup::text("equations")), {}};
+  page.first = {"But."};
+  const LineFigure one{"one", "One", "t", "x", {}}, two{"two", "Two", "t", "x", {}};
+  page.sections.push_back({"Details", {}, {draw(one), draw(two)}});
+  page.sections.push_back({"Other", {}, {draw(LineFigure{"three", "", "", "", {}})}});
+  show_first(page, "two");
+  const std::string html = format_html(page);
+  std::size_t at = 0;
+  for (const std::string part : {"It holds.", "But.", "<i>equations", "id=\"two\"", "Because.",
+                                 "3 %", "Details", "id=\"one\""}) {
+    const std::size_t found = html.find(part, at);
+    ASSERT_NE(found, std::string::npos) << part;
+    at = found;
+  }
+  EXPECT_EQ(html.find("id=\"two\""), html.rfind("id=\"two\"")) << "it stands there once";
+  EXPECT_EQ(pictures_of(page).front().name, "two");
+  show_first(page, "nothing");
+  EXPECT_EQ(pictures_of(page).size(), 3u);
+}
+
+TEST(Page, ASectionOfOnlyThePictureThatIsFirstIsGone) {
+  Page page{"kind", "It holds.", Tone::Good, {}, {}, {}, {}};
+  page.sections.push_back({"Details", {}, {draw(LineFigure{"one", "", "", "", {}})}});
+  show_first(page, "one");
+  EXPECT_TRUE(page.sections.empty());
+  EXPECT_EQ(pictures_of(page).size(), 1u);
+}
+
 TEST(Page, PicturesHaveNamesOfTheirOwn) {
   const std::vector<Picture> pictures = pictures_of(hostile_page());
   ASSERT_EQ(pictures.size(), 3u);

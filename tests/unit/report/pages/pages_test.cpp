@@ -138,6 +138,33 @@ TEST(Pages, DiagnosisShowsWhatItShould) {
   EXPECT_THAT(html, HasSubstr("inflation 1 against 1.3"));
 }
 
+/// What withholds an answer is said under its headline, other hints with what is to be known.
+TEST(Pages, HintsThatWithholdAnAnswerComeFirst) {
+  Diagnosis diagnosis = diagnosis_with_runs();
+  diagnosis.hints = {{HintKind::TimeUnit, "time is in ms", "--time-unit ms"}};
+  EXPECT_TRUE(diagnosis_page(diagnosis).first.empty());
+  const std::string html = format_html(diagnosis_page(diagnosis));
+  EXPECT_LT(html.find("What to know"), html.find("--time-unit ms"));
+  diagnosis.hints[0].withheld = Withheld::Answer;
+  EXPECT_THAT(diagnosis_page(diagnosis).first, ::testing::ElementsAre(HasSubstr("--time-unit ms")));
+  EXPECT_THAT(format_html(diagnosis_page(diagnosis)),
+              HasSubstr("</h1><p class=\"finding\">Hint (time-unit): time is in ms"));
+}
+
+TEST(Pages, TheFirstPictureIsOfTheEquationThatIsOff) {
+  const Page page = diagnosis_page(diagnosis_with_runs());
+  ASSERT_TRUE(page.picture);
+  EXPECT_EQ(page.picture->name, "deviation_v");
+}
+
+TEST(Pages, NumbersOfNominalTermsAreShort) {
+  Diagnosis diagnosis = diagnosis_with_runs();
+  diagnosis.coefficient_changes[0].term = "sin(1.234567890123456*q)";
+  const std::string html = format_html(diagnosis_page(diagnosis));
+  EXPECT_THAT(html, HasSubstr("sin(1.235*q)"));
+  EXPECT_THAT(html, ::testing::Not(HasSubstr("1.23456")));
+}
+
 TEST(Pages, DiagnosisWithoutAnythingHasNoEmptyHeadings) {
   Diagnosis diagnosis = diagnosis_with_runs();
   diagnosis.gap.reset();

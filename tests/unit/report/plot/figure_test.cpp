@@ -114,11 +114,11 @@ TEST(RowFigure, BarsAreAsLongAsTheirValues) {
 }
 
 TEST(RowFigure, IntervalsHaveWhiskersAndLongNamesAreCut) {
-  RowFigure figure{"rows", "", "", {{std::string(200, 'n'), 1.0, 0.5, 2.0}}, true};
+  RowFigure figure{"rows", "", "", {{std::string(400, 'n'), 1.0, 0.5, 2.0}}, true};
   const std::string svg = draw(figure).svg.string();
   EXPECT_EQ(count(svg, "class=\"whisker\""), 3);
   EXPECT_THAT(svg, HasSubstr("\u2026</text>"));
-  EXPECT_THAT(svg, HasSubstr(std::string(200, 'n') + ": 1")) << "the whole name is a tooltip";
+  EXPECT_THAT(svg, HasSubstr(std::string(400, 'n') + ": 1")) << "the whole name is a tooltip";
   figure.rows[0].high.reset();
   EXPECT_EQ(count(draw(figure).svg.string(), "class=\"whisker\""), 0);
 }
@@ -133,6 +133,21 @@ TEST(RowFigure, LongNamesStandAboveTheirBars) {
   EXPECT_EQ(count(above, "text-anchor=\"end\""), 0);
 }
 
+/// For a phone: what a picture says is whole there, in lines of its own where that takes them.
+TEST(Picture, IsDrawnForAPhoneToo) {
+  LineFigure figure = lines();
+  figure.title = "v [m/s]: measured minus model in windows of 3.9 s";
+  const std::string wide = draw(figure).svg.string(), narrow = draw(figure).narrow.string();
+  EXPECT_EQ(support::first_fault(narrow), "");
+  EXPECT_THAT(wide, HasSubstr(">" + figure.title + "</text>"));
+  EXPECT_THAT(narrow, Not(HasSubstr(">" + figure.title + "</text>")));
+  EXPECT_THAT(narrow, HasSubstr("viewBox=\"0 0 360 "));
+  EXPECT_THAT(narrow, Not(HasSubstr("\u2026")));
+  EXPECT_THAT(wide, Not(HasSubstr(" narrow\"")));
+  const RowFigure rows{"rows", "", "", {{"sin(2*pi*0.7102*t+1.561) in dv/dt", 1.0}}};
+  EXPECT_THAT(draw(rows).narrow.string(), HasSubstr(">sin(2*pi*0.7102*t+1.561) in dv/dt</text>"));
+}
+
 TEST(OrbitFigure, BringsNumbersForTurning) {
   Matrix points(3, 3);
   points << 0, 0, 0, NAN, 0, 0, 2, 4, 8;
@@ -142,6 +157,24 @@ TEST(OrbitFigure, BringsNumbersForTurning) {
   EXPECT_THAT(svg, HasSubstr("data-points=\"-1000,-1000,-1000 - 1000,1000,1000\""));
   EXPECT_THAT(svg, HasSubstr("data-ranges=\"0 2 0 4 0 8\""));
   EXPECT_EQ(count(svg, "class=\"spatial\""), 3);
+}
+
+/// Labels of the axes stand inside, on a phone too.
+TEST(OrbitFigure, HasRoomForItsLabels) {
+  const OrbitFigure figure{
+      "orbit", "Orbit", {"x [m/s]", "y [m/s]", "z"}, {{"model", Matrix::Random(9, 3)}}};
+  const Picture picture = draw(figure);
+  const auto expect_inside = [](const std::string& svg, double width) {
+    for (std::size_t at = svg.find("class=\"spatial\""); at != std::string::npos;
+         at = svg.find("class=\"spatial\"", at + 1)) {
+      const std::size_t label = svg.find("<text x=\"", at);
+      const double x = std::stod(svg.substr(label + 9));
+      EXPECT_GT(x, 24.0);
+      EXPECT_LT(x, width - 24.0);
+    }
+  };
+  expect_inside(picture.svg.string(), 760.0);
+  expect_inside(picture.narrow.string(), 360.0);
 }
 
 TEST(Picture, HasItsNumbers) {

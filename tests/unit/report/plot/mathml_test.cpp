@@ -53,10 +53,53 @@ TEST(MathMl, EquationsMarkWhatIsNewAndRoundByTheInterval) {
   EXPECT_EQ(support::first_fault(text), "");
   EXPECT_THAT(text, HasSubstr("<mn>2</mn>"));
   EXPECT_THAT(text, Not(HasSubstr("2.000123")));
-  const std::size_t fresh = text.find("<mrow class=\"new\">");
+  const std::size_t fresh = text.find("<span class=\"term new\">");
   ASSERT_NE(fresh, std::string::npos);
   EXPECT_LT(fresh, text.find("sgn"));
   EXPECT_THAT(text, Not(HasSubstr("<mn>1</mn>"))) << "a coefficient of 1 is not written";
+}
+
+/// Pieces of the term of an equation between which a line may end.
+int pieces_of(const std::string& formula) {
+  const Variables variables{{"x", "v"}, {}};
+  const OdeModel model({{"x", ""}, {"v", ""}}, {}, {{{Term::parse(formula, variables), 2.0}}, {}});
+  const std::string text = equations_mathml(model).string();
+  const std::size_t begin = text.find("class=\"term\""), end = text.find("</span>", begin);
+  const std::string term = text.substr(begin, end - begin);
+  EXPECT_EQ(support::first_fault("<p><span " + term + "</span></p>"), "") << formula;
+  int count = 0;
+  for (std::size_t at = term.find("<math"); at != std::string::npos;
+       at = term.find("<math", at + 1))
+    ++count;
+  return count;
+}
+
+TEST(MathMl, OnlyTermsThatAreLongerThanALineBreak) {
+  EXPECT_EQ(pieces_of("x*v*sin(x)*exp(-v^2)"), 1);
+  EXPECT_EQ(pieces_of("(x+v+x*v+x^2)/(1+x^2+v^2+x*v)"), 1) << "a fraction is as long as a part";
+  EXPECT_GT(pieces_of("sin(x)*cos(v)*tanh(x/0.01)*exp(-(v/0.2)^2)"), 1);
+  EXPECT_GT(pieces_of("(0.1+2.3*x-4.5*x^2+6.7*x^3-8.9*x^4)/(1+v)"), 1);
+  EXPECT_GT(pieces_of("sqrt(0.1+2.3*x+4.5*x^2+6.7*x^4+8.9*x^6)"), 1);
+  EXPECT_GT(pieces_of("(0.1+2.3*x+4.5*x^2+6.7*x^4+8.9*x^6)^2"), 1);
+}
+
+TEST(MathMl, ABrokenTermKeepsItsBrackets) {
+  const Variables variables{{"x", "v"}, {}};
+  const OdeModel model(
+      {{"x", ""}, {"v", ""}}, {},
+      {{{Term::parse("abs(x-(v-x-1.234)-0.567*v)*sin(x+v*(x-v-0.123456789))", variables), 1.0}},
+       {}});
+  const std::string text = equations_mathml(model).string();
+  const auto count = [&](const std::string& part) {
+    int found = 0;
+    for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1))
+      ++found;
+    return found;
+  };
+  EXPECT_EQ(count("<mo>(</mo>"), 3);
+  EXPECT_EQ(count("<mo>)</mo>"), 3);
+  EXPECT_EQ(count("<mo>|</mo>"), 2);
+  EXPECT_EQ(count("0.1235"), 1) << "numbers of a formula have four digits";
 }
 
 TEST(MathMl, AnEmptyEquationIsZero) {
