@@ -5,8 +5,8 @@
 
 #include "core/base/text.hpp"
 #include "folded_text.hpp"
-#include "records/channels/channel_noise.hpp"
 #include "readable.hpp"
+#include "records/channels/channel_noise.hpp"
 #include "report/pages/pages.hpp"
 #include "report/plot/mathml.hpp"
 #include "run_figures.hpp"
