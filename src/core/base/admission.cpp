@@ -36,10 +36,23 @@ Admission nothing_to_point_at(const VerdictBasis& basis) {
           "use longer records, or such with more motion"};
 }
 
+Admission open_numbers(const VerdictBasis& basis) {
+  if (basis.open.empty()) return {};
+  return {Standing::Undetermined, "the records do not determine " + join(basis.open, ", "),
+          "give records with more motion, or keep these numbers fixed"};
+}
+
+Admission not_shown(const VerdictBasis& basis) {
+  if (basis.shows_opposite) return {};
+  return {Standing::Undetermined, "the samples are too few to show the opposite",
+          "give more samples"};
+}
+
 }  // namespace
 
 Admission admit(const VerdictBasis& basis) {
-  for (const auto refusal : {cut_search, nothing_moves, slow_noise, nothing_to_point_at})
+  for (const auto refusal : {cut_search, nothing_moves, slow_noise, nothing_to_point_at,
+                             open_numbers, not_shown})
     if (Admission refused = refusal(basis); !refused.stands()) return refused;
   return {};
 }
