@@ -20,6 +20,7 @@
 #include "core/base/utf8.hpp"
 #include "core/files/atomic_file.hpp"
 #include "core/files/near_file.hpp"
+#include "data/formats/joined_files.hpp"
 #include "lacuna/data/formats/read.hpp"
 #include "lacuna/dynamics/test_systems/test_systems.hpp"
 #include "lacuna/model/files/model_file.hpp"
@@ -192,7 +193,7 @@ void show(const Session& session, const std::string& text) {
 
 void check_outputs(const std::vector<std::string>& inputs,
                    const std::vector<OutputFile>& outputs) {
-  const std::vector<std::string> files = expand_patterns(inputs);
+  const std::vector<std::string> files = single_files(inputs);
   for (std::size_t i = 0; i < outputs.size(); ++i) {
     if (!outputs[i].path) continue;
     const std::string& path = *outputs[i].path;

@@ -9,6 +9,7 @@
 #include "core/base/names.hpp"
 #include "core/base/text.hpp"
 #include "core/files/file_bytes.hpp"
+#include "data/formats/joined_files.hpp"
 #include "data/times/time_names.hpp"
 #include "lacuna/core/base/options.hpp"
 
@@ -19,17 +20,22 @@ std::vector<std::string> list_of(const std::string& text) {
   return text.empty() ? std::vector<std::string>{} : split_list(text);
 }
 
+std::vector<Assignment> read_holds(const std::vector<std::string>& assignments) {
+  return read_assignments({"--hold", "NAME=HOLD", "--hold u=zero"}, assignments);
+}
+
 ColumnRoles roles_of(const DataOptions& options) {
   ColumnRoles roles = common_roles(options);
   roles.states = list_of(options.states);
   roles.inputs = list_of(options.inputs);
   roles.derivatives = list_of(options.derivatives);
+  for (const Assignment& part : read_holds(options.holds))
+    if (const auto hold = hold_named(part.value)) roles.holds.emplace_back(part.name, *hold);
   return roles;
 }
 
 void set_holds(const std::vector<std::string>& assignments, std::vector<Quantity>& inputs) {
-  for (const Assignment& part :
-       read_assignments({"--hold", "NAME=HOLD", "--hold u=zero"}, assignments)) {
+  for (const Assignment& part : read_holds(assignments)) {
     const auto input =
         std::find_if(inputs.begin(), inputs.end(),
                      [&](const Quantity& quantity) { return quantity.name == part.name; });
@@ -164,7 +170,7 @@ bool reads_in_pieces(const DataOptions& options, std::uint64_t memory) {
       4;  // the file, its table, the records, what is made of them
   if (memory == 0 || !options.tables.empty()) return false;
   std::uint64_t bytes = 0;
-  for (const std::string& path : expand_patterns(options.paths)) {
+  for (const std::string& path : single_files(options.paths)) {
     std::error_code none;
     // Nobody knows how much comes through a pipe.
     if (path == "-" || std::filesystem::is_fifo(path, none)) return true;

@@ -202,7 +202,9 @@ int diagnose_command(const Session& session, const DiagnoseArguments& options) {
 void declare_search_options(CLI::App& app, DiagnoseArguments& options) {
   app.add_option("--effect", options.effects, "Try only these effects (see `list effect`)")
       ->type_name("NAME");
-  app.add_option("--max-effects", options.max_effects, "Name at most so many effects [4]")
+  app.add_option("--max-effects", options.max_effects,
+                 "Name at most so many effects [default: " +
+                     std::to_string(DecisionOptions{}.max_effects) + "]")
       ->check(CLI::Range(0, 20));
   app.add_option("--config", options.config,
                  "JSON file with decision, criterion, hypotheses, effects")

@@ -184,7 +184,10 @@ Command declare_fit(CLI::App& root) {
       ->capture_default_str();
   app->add_option("--starts", options->fit.starts,
                   "Starts anywhere in the ranges of parameters, at most, wherever the first fit "
-                  "ends [default: 40 where a range is wide and residuals are above the noise]")
+                  "ends [default: " +
+                      std::to_string(kRangeStarts) + ", with many samples " +
+                      std::to_string(kRangeStartsOfMany) +
+                      ", where a range is wide and residuals are above the noise]")
       ->check(CLI::Range(0, 10000));
   app->add_flag("--profile", options->fit.profile,
                 "Profiles of the likelihood of every number, however long it takes");

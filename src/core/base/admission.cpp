@@ -38,6 +38,18 @@ Admission nothing_to_point_at(const VerdictBasis& basis) {
           "use longer records, or such with more motion"};
 }
 
+Admission open_numbers(const VerdictBasis& basis) {
+  if (basis.open.empty()) return {};
+  return {Standing::Undetermined, "the records do not determine " + join(basis.open, ", "),
+          "give records with more motion, or keep these numbers fixed"};
+}
+
+Admission not_shown(const VerdictBasis& basis) {
+  if (basis.shows_opposite) return {};
+  return {Standing::Undetermined, "the samples are too few to show the opposite",
+          "give more samples"};
+}
+
 Admission few_runs_started(const VerdictBasis& basis) {
   if (basis.unstarted == 0 || 2 * basis.unstarted < basis.windows) return {};
   return {Standing::Undetermined,
@@ -55,7 +67,7 @@ Admission left_in_doubt(const VerdictBasis& basis) {
 
 Admission admit(const VerdictBasis& basis) {
   for (const auto refusal : {cut_search, nothing_moves, slow_noise, nothing_to_point_at,
-                             few_runs_started, left_in_doubt})
+                             open_numbers, not_shown, few_runs_started, left_in_doubt})
     if (Admission refused = refusal(basis); !refused.stands()) return refused;
   return {};
 }

@@ -25,7 +25,8 @@ struct ZipArchive {
   std::vector<ZipEntry> entries;
 };
 
-/// Lists an archive. @throws DataError where it is cut short or damaged.
+/// Lists an archive. @throws DataError where it is cut short or damaged, or entries have bytes in
+/// common.
 ZipArchive open_zip(std::string_view bytes, const std::string& source,
                     const std::string& remedy);
 

@@ -37,6 +37,9 @@ struct TextDialect {
   bool makes_first = true;  ///< the first column is made, from a step or a clock
   std::vector<std::size_t> places = {};  ///< of the columns in the file, from 0, if others
 
+  /// What the clock shows at the time 0 (Table::clock_start).
+  std::optional<double> clock_start = {};
+
   /// Columns of times, each of the channels behind it (channel_clocks.hpp); empty where there
   /// is one time for all.
   std::vector<Index> clocks = {};

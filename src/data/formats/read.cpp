@@ -1,17 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "lacuna/data/formats/read.hpp"
 
-#include <glob.h>
-
 #include <algorithm>
 #include <iterator>
-#include <memory>
 #include <optional>
 #include <string_view>
 #include <system_error>
 #include <utility>
 
+#include "core/base/text.hpp"
 #include "core/files/file_bytes.hpp"
+#include "data/logs/joined_tables.hpp"
 #include "data/records/columns/derivative_columns.hpp"
 #include "data/records/same_columns.hpp"
 #include "data/records/text_field.hpp"
@@ -19,6 +18,7 @@
 #include "data/units/in_units.hpp"
 #include "file_kinds.hpp"
 #include "hdf5.hpp"
+#include "joined_files.hpp"
 #include "lacuna/core/base/error.hpp"
 #include "lacuna/core/base/function_ref.hpp"
 #include "mat.hpp"
@@ -40,18 +40,17 @@ Table read_named_mat(const fs::path& path, const TimeFinder& find) {
   return read_mat(path, find);
 }
 
-bool is_pattern(const std::string& path) {
+/// The files that a pattern stands for; the path itself where it is none.
+std::vector<std::string> expanded(const std::string& path) {
+  std::vector<std::string> files = files_that_match(path);
+  if (!files.empty()) return files;
+  const std::vector<std::string> joined = joined_files(path);
+  if (joined.size() > 1) return {join(joined, "+")};
   std::error_code ignored;
-  return path.find_first_of("*?[") != std::string::npos && !fs::exists(path, ignored);
-}
-
-std::vector<std::string> matching_files(const std::string& pattern) {
-  glob_t found{};
-  const std::unique_ptr<glob_t, decltype(&globfree)> guard(&found, &globfree);
-  if (glob(pattern.c_str(), 0, nullptr, &found) != 0 || found.gl_pathc == 0)
-    throw DataError(pattern, "no file matches this pattern",
+  if (path.find_first_of("*?[") != std::string::npos && !fs::exists(path, ignored))
+    throw DataError(path, "no file matches this pattern",
                     "check the folder and the names; quote the pattern as it stands");
-  return {found.gl_pathv, found.gl_pathv + found.gl_pathc};
+  return {path};
 }
 
 }  // namespace
@@ -59,11 +58,17 @@ std::vector<std::string> matching_files(const std::string& pattern) {
 std::vector<std::string> expand_patterns(const std::vector<std::string>& paths) {
   std::vector<std::string> files;
   for (const std::string& path : paths) {
-    std::vector<std::string> more =
-        is_pattern(path) ? matching_files(path) : std::vector<std::string>{path};
+    std::vector<std::string> more = expanded(path);
     std::move(more.begin(), more.end(), std::back_inserter(files));
   }
   if (files.empty()) throw DataError("data", "no file is given", "name at least one file");
+  return files;
+}
+
+std::vector<std::string> single_files(const std::vector<std::string>& paths) {
+  std::vector<std::string> files;
+  for (const std::string& path : expand_patterns(paths))
+    for (std::string& file : joined_files(path)) files.push_back(std::move(file));
   return files;
 }
 
@@ -106,7 +111,10 @@ Table read_any(const fs::path& named, const TimeFinder& find) {
 
 }  // namespace
 
-Table read_table(const fs::path& path) { return read_any(path, no_time); }
+Table read_table(const fs::path& path) {
+  if (joined_files(path.string()).size() > 1) return read_table(path, ColumnRoles{});
+  return read_any(path, no_time);
+}
 
 namespace {
 
@@ -151,7 +159,12 @@ Table renamed(Table table, const ColumnRoles& roles) {
 }
 
 Table read_table(const fs::path& path, const ColumnRoles& roles) {
-  return renamed(read_any(path, time_finder(roles)), roles);
+  const std::vector<std::string> files = joined_files(path.string());
+  if (files.size() == 1) return renamed(read_any(path, time_finder(roles)), roles);
+  std::vector<Table> tables;
+  const TimeFinder find = time_finder_of_part(roles);
+  for (const std::string& file : files) tables.push_back(read_any(file, find));
+  return renamed(joined_on_time(std::move(tables), roles), roles);
 }
 
 Dataset read_dataset(const std::vector<std::string>& paths, const ColumnRoles& roles) {

@@ -263,6 +263,7 @@ Table columns_of(const TextFormat& format, const std::string& source) {
   if (!format.dialect->note.empty())
     table.notes.insert(table.notes.begin(), source + ": " + format.dialect->note);
   table.run_column = format.dialect->run_column;
+  table.clock_start = format.dialect->clock_start;
   return table;
 }
 
@@ -333,6 +334,7 @@ void TextRows::read(std::string_view lines, Table& table, bool is_all) {
   rows = with_one_clock(rows, style_.clocks);
   table.values = std::move(rows.values);
   table.lines = std::move(rows.lines);
+  table.own_times = !is_one;
   clocks_note_ = is_one ? "all channels have the same times"
                         : "channels have times of their own; there is a row for each of the " +
                               std::to_string(table.values.rows()) + " times";

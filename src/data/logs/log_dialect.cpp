@@ -141,6 +141,19 @@ std::vector<std::size_t> places_of(const LogLayout& layout) {
   return places;
 }
 
+/// What the clock of the first sample shows, in seconds.
+std::optional<double> clock_start_of(std::string_view begin, const LogLayout& layout) {
+  if (layout.time_parts == 0) return std::nullopt;
+  Lines lines(begin);
+  for (std::size_t number = 0; const auto line = lines.next(); ++number) {
+    const LogCells cells = cells_of(*line, layout.delimiter);
+    if (number < layout.before || cells.size() < layout.columns.size()) continue;
+    if (const auto clock = read_clock(clock_in(cells, layout), layout.order))
+      return value_of(clock->seconds());
+  }
+  return std::nullopt;
+}
+
 /// Columns of the table that are times of channels; none where all have the first one's.
 std::vector<Index> clocks_of(const LogLayout& layout) {
   std::vector<Index> clocks;
@@ -187,6 +200,7 @@ std::optional<TextDialect> log_of_device(std::string_view begin) {
   dialect.places = places_of(*layout);
   dialect.makes_first = layout->time_parts > 0;
   dialect.clocks = clocks_of(*layout);
+  dialect.clock_start = clock_start_of(begin, *layout);
   return dialect;
 }
 

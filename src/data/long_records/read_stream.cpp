@@ -5,6 +5,7 @@
 #include <memory>
 #include <utility>
 
+#include "data/formats/joined_files.hpp"
 #include "data/records/columns/derivative_columns.hpp"
 #include "data/records/piece_name.hpp"
 #include "data/records/same_columns.hpp"
@@ -125,6 +126,8 @@ std::shared_ptr<const RecordFiles> open_records(const std::vector<std::string>& 
   RecordFiles all;
   ColumnRoles fixed = roles;
   for (const std::string& path : expand_patterns(paths)) {
+    if (joined_files(path).size() > 1)
+      throw DataError(path, "joined files cannot be read in pieces", "leave out --memory");
     NpyFile file = open_rows(path, memory, context, time_finder(fixed));
     for (const auto& [name, column] : roles.names) rename_column(file.columns(), name, column);
     name_in_order(file.columns(), fixed);

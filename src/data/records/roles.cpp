@@ -11,6 +11,7 @@
 #include "core/base/check.hpp"
 #include "core/base/names.hpp"
 #include "core/base/text.hpp"
+#include "data/records/own_times.hpp"
 #include "data/records/piece_name.hpp"
 #include "data/records/repeated_times.hpp"
 #include "data/records/split.hpp"
@@ -273,9 +274,24 @@ std::optional<Table> rows_of_all(const Table& table, const ColumnIndices& column
 
 }  // namespace
 
+namespace {
+
+/// The rows with the inputs in all of them and, where blanks cut records, with all channels.
+Table at_same_times(const Table& given, const ColumnIndices& columns, const ColumnRoles& roles) {
+  Table table = with_inputs_everywhere(given, columns, roles);
+  if (roles.blanks != Blanks::Cut) return table;
+  return at_times_of_densest(table, columns, roles);
+}
+
+}  // namespace
+
 Dataset assign_roles(const Table& given, const ColumnRoles& roles) {
   const ColumnIndices columns = find_columns(given, roles);
-  const std::optional<Table> once = without_repeated_times(given, columns);
+  std::optional<Table> once;
+  if (given.own_times && columns.time)
+    once = at_same_times(given, columns, roles);
+  else
+    once = without_repeated_times(given, columns);
   const Table& distinct = once ? *once : given;
   std::optional<FilledTable> filled;
   if (roles.blanks != Blanks::Cut) filled = fill_blanks(distinct, columns.states);

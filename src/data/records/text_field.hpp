@@ -15,7 +15,8 @@ struct TextField {
 };
 
 /// Reads one field: a number (decimal commas, thousands beside them and the sign of infinity are
-/// known; quotes are ignored), a missing value (nothing, nan, na, n/a, null, none) or text.
+/// known; quotes are ignored), a missing value (nothing, nan, na, n/a, n.d., nd, -, #nv, #n/a,
+/// null, none) or text.
 TextField read_field(std::string_view field);
 
 /// Cuts a line into trimmed fields, without their quotes. A delimiter inside quotes does not

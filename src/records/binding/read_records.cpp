@@ -41,6 +41,12 @@ Table called_as_states(const OdeModel& model, Table table) {
   return table;
 }
 
+/// How inputs go on between their samples, where the model says it.
+void add_holds(const OdeModel& model, ColumnRoles& roles) {
+  for (const Quantity& input : model.inputs())
+    if (input.hold) roles.holds.emplace_back(input.name, *input.hold);
+}
+
 /// The roles of the columns that a model knows; formula outputs stand behind the states.
 ColumnRoles roles_for(const OdeModel& model, const Table& table, ColumnRoles roles) {
   const std::vector<std::string> columns = columns_of(table);
@@ -49,6 +55,7 @@ ColumnRoles roles_for(const OdeModel& model, const Table& table, ColumnRoles rol
     if (contains(columns, state.name)) roles.states.push_back(state.name);
   for (const Output& output : formula_outputs(model)) roles.states.push_back(output.name);
   for (const Quantity& input : model.inputs()) roles.inputs.push_back(input.name);
+  add_holds(model, roles);
   return roles;
 }
 
@@ -196,6 +203,7 @@ Dataset bound_conditions(const OdeModel& model, std::vector<Table> tables, Colum
 Dataset inputs_of(const OdeModel& model, const Table& table, const ColumnRoles& roles) {
   ColumnRoles as_states = roles;
   for (const Quantity& input : model.inputs()) as_states.states.push_back(input.name);
+  add_holds(model, as_states);
   Dataset data = in_units_of(measured_quantities(model),
                              assign_roles_for(model, table, as_states));
   data = in_time_unit_of(model, std::move(data));

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
-#include <limits>
 
 #include "readable.hpp"
 #include "run_figures.hpp"
@@ -10,15 +9,35 @@ namespace {
 
 constexpr std::size_t kMostPictures = 6;  // further quantities are in the JSON
 
-/// Both ends of a band as one curve with a gap between them.
-Series ends_of(const std::string& label, const Vector& time, const Vector& low,
-               const Vector& high, Curve curve) {
-  const Index n = time.size();
-  constexpr double kGap = std::numeric_limits<double>::quiet_NaN();
-  Series series{label, Vector(2 * n + 1), Vector(2 * n + 1), curve};
-  series.x << time, time[n - 1], time;
-  series.y << low, kGap, high;
-  return series;
+/// All runs as one with gaps between them.
+FitBands joined(const std::vector<FitBands>& runs) {
+  FitBands all = runs.front();
+  if (runs.size() == 1) return all;
+  const auto part = [&](const Matrix FitBands::*member) {
+    std::vector<Matrix> parts;
+    for (const FitBands& run : runs) parts.push_back(run.*member);
+    return stacked(parts);
+  };
+  std::vector<Matrix> times;
+  for (const FitBands& run : runs) times.emplace_back(run.time);
+  all.record = std::to_string(runs.size()) + " records";
+  all.time = stacked(times);
+  all.value = part(&FitBands::value);
+  all.low = part(&FitBands::low);
+  all.high = part(&FitBands::high);
+  all.least = part(&FitBands::least);
+  all.most = part(&FitBands::most);
+  return all;
+}
+
+/// The measured values of one channel in all records.
+Series measured_series(const std::vector<FitRun>& records, std::size_t channel) {
+  std::vector<Matrix> times, values;
+  for (const FitRun& record : records) {
+    times.emplace_back(record.time);
+    values.emplace_back(record.measured.col(static_cast<Index>(channel)));
+  }
+  return {"measured", stacked(times), stacked(values), Curve::Measured, true};
 }
 
 /// Quantities in the order in which they are shown: measured ones first.
@@ -38,33 +57,27 @@ std::vector<Picture> band_pictures(const std::string& name, const std::vector<Fi
                                    const std::vector<FitRun>& measured,
                                    const std::vector<FitQuality>& channels,
                                    const std::string& time_unit) {
-  const auto longest = std::max_element(
-      runs.begin(), runs.end(),
-      [](const auto& a, const auto& b) { return a.time.size() < b.time.size(); });
   std::vector<Picture> pictures;
-  if (longest == runs.end()) return pictures;
-  const auto record = static_cast<std::size_t>(longest - runs.begin());
-  for (const std::size_t c : shown(*longest)) {
+  if (runs.empty()) return pictures;
+  const FitBands all = joined(runs);
+  for (const std::size_t c : shown(all)) {
     const auto k = static_cast<Index>(c);
-    const Quantity& quantity = longest->quantities[c];
+    const Quantity& quantity = all.quantities[c];
     const std::string label = with_unit(quantity.name, quantity.unit);
     LineFigure figure{name + "_" + quantity.name,
-                      label + " with 90 % bands, " + short_name(longest->record),
+                      label + " with 90 % bands, " + short_name(all.record),
                       with_unit("time", time_unit),
                       label,
                       {}};
-    if (longest->least.col(k).array().isFinite().any())
-      figure.series.push_back(ends_of("90 % of measured values", longest->time,
-                                      longest->least.col(k), longest->most.col(k),
-                                      Curve::Other));
-    figure.series.push_back(ends_of("90 % band of the run", longest->time, longest->low.col(k),
-                                    longest->high.col(k), Curve::Before));
-    figure.series.push_back({"run", longest->time, longest->value.col(k), Curve::Model});
-    for (std::size_t i = 0; record < measured.size() && i < channels.size(); ++i)
+    if (all.least.col(k).array().isFinite().any())
+      figure.series.push_back(ends_of("90 % of measured values", all.time, all.least.col(k),
+                                      all.most.col(k), Curve::Other));
+    figure.series.push_back(ends_of("90 % band of the run", all.time, all.low.col(k),
+                                    all.high.col(k), Curve::Before));
+    figure.series.push_back({"run", all.time, all.value.col(k), Curve::Model});
+    for (std::size_t i = 0; !measured.empty() && i < channels.size(); ++i)
       if (channels[i].channel == quantity.name)
-        figure.series.push_back({"measured", measured[record].time,
-                                 measured[record].measured.col(static_cast<Index>(i)),
-                                 Curve::Measured, true});
+        figure.series.push_back(measured_series(measured, i));
     pictures.push_back(draw(figure));
   }
   return pictures;

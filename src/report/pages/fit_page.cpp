@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/base/text.hpp"
 #include "folded_text.hpp"
 #include "readable.hpp"
+#include "records/channels/channel_noise.hpp"
 #include "report/pages/pages.hpp"
 #include "report/plot/mathml.hpp"
 #include "run_figures.hpp"
@@ -11,12 +14,39 @@
 namespace lacuna {
 namespace {
 
+/// All records as one with gaps between them; none where there is none.
 std::vector<GapRecord> runs_of(const Fit& fit) {
-  std::vector<GapRecord> runs;
-  for (const FitRun& run : fit.runs)
-    runs.push_back(
-        {run.record, run.time, run.measured, Matrix(), run.model, 0, run.time.size()});
-  return runs;
+  if (fit.runs.empty()) return {};
+  std::vector<Matrix> times, measured, model;
+  for (const FitRun& run : fit.runs) {
+    times.emplace_back(run.time);
+    measured.push_back(run.measured);
+    model.push_back(run.model);
+  }
+  const std::string name = fit.runs.size() == 1 ? fit.runs.front().record
+                                                : std::to_string(fit.runs.size()) + " records";
+  const Vector time = stacked(times);
+  return {{name, time, stacked(measured), Matrix(), stacked(model), 0, time.size()}};
+}
+
+/// The deviation of each value by the law of its channel; empty where no law has one that depends
+/// on the value.
+Matrix deviations_of(const Fit& fit, const Matrix& model) {
+  const auto varies = [](const FitQuality& quality) {
+    return quality.law && quality.law->form != NoiseForm::Constant &&
+           quality.law->form != NoiseForm::Student;
+  };
+  if (std::none_of(fit.quality.begin(), fit.quality.end(), varies)) return {};
+  Matrix all = Matrix::Constant(model.rows(), model.cols(),
+                                std::numeric_limits<double>::quiet_NaN());
+  for (std::size_t c = 0; c < fit.quality.size(); ++c) {
+    if (!varies(fit.quality[c])) continue;
+    const auto k = static_cast<Index>(c);
+    for (Index i = 0; i < model.rows(); ++i)
+      if (const double y = model(i, k); std::isfinite(y))
+        all(i, k) = ChannelNoise(*fit.quality[c].law, 1.0, Vector::Constant(1, y)).deviation(y);
+  }
+  return all;
 }
 
 /// The spread of a number over the records, of its logarithm where it varies by a factor.
@@ -88,7 +118,8 @@ Page fit_page(const Fit& fit) {
     channels.push_back({fit.quality[c].channel, fit.quality[c].unit});
     noise[static_cast<Index>(c)] = fit.quality[c].noise;
   }
-  const RunView view{runs, channels, fit.model.symbolic().time_unit(), noise, "", "free run"};
+  const RunView view{runs, channels, fit.model.symbolic().time_unit(), noise, "", "free run",
+                     deviations_of(fit, runs.front().after)};
   page.sections.push_back({"Record and free run", {}, comparison_pictures(view)});
   page.sections.push_back({"What the free run is off", {}, deviation_pictures(view)});
   return page;

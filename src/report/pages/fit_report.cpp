@@ -345,6 +345,18 @@ std::string likelihood_note(const Fit& fit) {
          format_number(fit.population->bic, 6);
 }
 
+std::string name_of(Standing standing) {
+  switch (standing) {
+    case Standing::Undetermined:
+      return "undetermined";
+    case Standing::Incomplete:
+      return "incomplete";
+    case Standing::Stands:
+      break;
+  }
+  return "stands";
+}
+
 }  // namespace
 
 std::string format_json(const Fit& fit) {
@@ -364,6 +376,8 @@ std::string format_json(const Fit& fit) {
   const FitStanding standing = standing_of(fit);
   json["verdict"] = {{"sound", standing.is_sound()},
                      {"sentence", sentence_of(standing)},
+                     {"standing", name_of(standing.admission.standing)},
+                     {"why", standing.admission.stands() ? Json() : Json(standing.admission.why)},
                      {"not_determined", standing.open},
                      {"at_bounds", standing.at_ends}};
   json["profiles"] = profiles_json(fit);

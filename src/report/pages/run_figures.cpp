@@ -135,6 +135,29 @@ Series plane_series(const std::string& label, const Matrix& states, Curve curve)
 
 }  // namespace
 
+Series ends_of(const std::string& label, const Vector& time, const Vector& low,
+               const Vector& high, Curve curve) {
+  const Index n = time.size();
+  constexpr double kGap = std::numeric_limits<double>::quiet_NaN();
+  Series series{label, Vector(2 * n + 1), Vector(2 * n + 1), curve};
+  series.x << time, time[n - 1], time;
+  series.y << low, kGap, high;
+  return series;
+}
+
+Matrix stacked(const std::vector<Matrix>& parts) {
+  Index rows = static_cast<Index>(parts.size()) - 1;
+  for (const Matrix& part : parts) rows += part.rows();
+  Matrix all = Matrix::Constant(rows, parts.front().cols(),
+                                std::numeric_limits<double>::quiet_NaN());
+  Index row = 0;
+  for (const Matrix& part : parts) {
+    all.middleRows(row, part.rows()) = part;
+    row += part.rows() + 1;
+  }
+  return all;
+}
+
 std::vector<Picture> comparison_pictures(const RunView& view) {
   std::vector<Picture> pictures;
   if (view.runs.empty()) return pictures;
@@ -179,7 +202,11 @@ std::vector<Picture> deviation_pictures(const RunView& view) {
     figure.series.push_back(split_series(
         view.after + ", rms " + format_number(rms_off(run.measured, run.after, k), 3), run,
         run.measured.col(k) - run.after.col(k), Curve::Model));
-    if (k < view.noise.size() && view.noise[k] > 0.0)
+    if (view.noise_along.size() > 0 && view.noise_along.col(k).array().isFinite().any()) {
+      const Vector reach = kNormalQuantile975 * view.noise_along.col(k);
+      figure.series.push_back(
+          ends_of("95 % of the measurement noise", run.time, -reach, reach, Curve::Other));
+    } else if (k < view.noise.size() && view.noise[k] > 0.0)
       figure.band = Band{"95 % of the measurement noise", -kNormalQuantile975 * view.noise[k],
                          kNormalQuantile975 * view.noise[k]};
     pictures.push_back(draw(figure));

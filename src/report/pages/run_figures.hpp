@@ -18,7 +18,16 @@ struct RunView {
   Vector noise;  ///< m: standard deviation of the measurement; 0 where it is not known
   std::string before = "nominal model";
   std::string after = "model";
+  /// n x m: the same along the longest record where it depends on the value; empty: it does not.
+  Matrix noise_along = {};
 };
+
+/// Both ends of a band as one curve with a gap between them.
+Series ends_of(const std::string& label, const Vector& time, const Vector& low,
+               const Vector& high, Curve curve);
+
+/// Rows of several records under one another, a row of NaN between two: curves with gaps.
+Matrix stacked(const std::vector<Matrix>& parts);
 
 /// Measured values beside the models over some windows of the longest record, one picture for
 /// each state.
@@ -34,8 +43,8 @@ std::vector<Picture> spectrum_pictures(const RunView& view);
 /// two; nothing for one.
 std::vector<Picture> orbit_pictures(const RunView& view);
 
-/// The longest of some runs with its bands, one picture for each quantity: those that are measured
-/// first, six at most.
+/// All of some runs with their bands, one picture for each quantity: those that are measured first,
+/// six at most.
 /// @param name of the pictures. @param measured the same records with their values, or none.
 /// @param channels what their columns are.
 std::vector<Picture> band_pictures(const std::string& name, const std::vector<FitBands>& runs,

@@ -119,9 +119,11 @@ std::vector<StageDone> stages_of(const FitOptions& options, const FitSearch& sea
     if (quick && needs_effort) return {name, false, kIsQuick};
     return in_time ? StageDone{name} : StageDone{name, false, kTimeIsUp};
   };
-  std::vector<StageDone> stages = {{"fit"}, stage("starts", true, search.in_time)};
+  std::vector<StageDone> stages = {stage("fit", false, search.best.in_time),
+                                   stage("starts", true, search.in_time)};
   if (!options.rough)
-    stages.push_back(stage("profiles", !options.profile, known.in_time));
+    stages.push_back(
+        stage("profiles", !options.profile, known.in_time && search.best.in_time));
   return stages;
 }
 
@@ -213,7 +215,7 @@ Fit fit(const SystemModel& system, const Dataset& records, const Dataset& held_o
         fitted_bands(engine, found.unknowns, found.minimum, found.errors, data, result);
   if (!held_out.trajectories.empty())
     result.gap = gap_of(model, found.typical, held_out, usual_states(found.minimum.path),
-                        options, found.unknowns);
+                        options, found.unknowns, context);
   std::vector<std::string> notes = notes_of(result);
   result.notes.insert(result.notes.begin(), notes.begin(), notes.end());
   if (!held_out.trajectories.empty() && !result.gap) result.notes.push_back(no_gap(options));

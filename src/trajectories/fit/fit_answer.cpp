@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "core/base/text.hpp"
+#include "lacuna/records/binding/gaps.hpp"
 #include "trajectories/fit/adequacy/fit_adequacy.hpp"
 
 namespace lacuna {
@@ -35,13 +36,30 @@ void set_coefficient(const SystemModel& system, const std::vector<Index>& places
     for (double& end : *first->ci95) end -= others;
 }
 
+/// Whether `diagnose` takes the model and the records.
+bool may_be_diagnosed(const Fit& fit) {
+  const auto is_long = [](const FitRun& run) {
+    return run.time.size() >= GapOptions{}.shortest_record;
+  };
+  return fit.model.symbolic().events().empty() &&
+         std::any_of(fit.runs.begin(), fit.runs.end(), is_long);
+}
+
+/// What follows from residuals that are not noise.
+std::string lack_of(const Fit& fit) {
+  if (const Admission admission = standing_of(fit).admission; !admission.stands())
+    return "whether the model lacks something is open (" + admission.why + ")";
+  return std::string("the model lacks something (") +
+         (may_be_diagnosed(fit) ? "see `lacuna diagnose`"
+                                : "`lacuna fit ONE.ode TWO.ode DATA` compares structures") +
+         "), and intervals hold for this model only";
+}
+
 /// What the residuals of a channel say; empty where they are noise or rounding.
-std::string note_of(const FitQuality& quality) {
+std::string note_of(const FitQuality& quality, const Fit& fit) {
   if (quality.residuals == Adequate::No)
     return "the residuals of " + quality.channel + " are not white (" + quality.sign +
-           ", p = " + format_number(quality.chance, 2) +
-           "): the model lacks something (see `lacuna diagnose`), and intervals hold for this "
-           "model only";
+           ", p = " + format_number(quality.chance, 2) + "): " + lack_of(fit);
   if (quality.residuals == Adequate::Undetermined && !(quality.fit_percent >= kExactFit))
     return std::to_string(quality.samples) + " samples of " + quality.channel +
            " are too few to show a deviation of the model as large as the noise";
@@ -156,7 +174,7 @@ std::vector<std::string> notes_of(const Fit& fit) {
     if (number.bound)
       notes.push_back(number.name + " ended at the " + *number.bound + " of its range");
   for (const FitQuality& quality : fit.quality)
-    if (const std::string note = note_of(quality); !note.empty()) notes.push_back(note);
+    if (const std::string note = note_of(quality, fit); !note.empty()) notes.push_back(note);
   if (fit.starts > 1)
     notes.push_back(std::to_string(fit.agreeing) + " of " + std::to_string(fit.starts) +
                     " searches came to the same numbers");
@@ -209,6 +227,27 @@ std::vector<FitRun> runs_of(const FitEngine& engine, const FitPath& path) {
   return runs;
 }
 
+namespace {
+
+/// What it rests on that the model fits or lacks something. Other starts find nothing better than
+/// noise; what a quick run leaves out nobody expects of it, but where something is lacking they
+/// might have found a fit.
+VerdictBasis basis_of(const Fit& fit, const FitStanding& standing) {
+  const bool lacks = standing.fits == Adequate::No;
+  VerdictBasis basis{.claim = lacks ? Claim::WrongStructure : Claim::Fits,
+                     .open = standing.open,
+                     .shows_opposite =
+                         standing.fits != Adequate::Undetermined || standing.is_exact};
+  for (const StageDone& stage : fit.stages) {
+    const bool finds_more = stage.name == "starts" && standing.fits != Adequate::Yes &&
+                            (lacks || stage.why != kIsQuick);
+    if (stage.name == "fit" || finds_more) basis.stages.push_back(stage);
+  }
+  return basis;
+}
+
+}  // namespace
+
 FitStanding standing_of(const Fit& fit) {
   FitStanding standing{.converged = fit.converged,
                        .fits = fit.adequacy.fits,
@@ -228,10 +267,13 @@ FitStanding standing_of(const Fit& fit) {
                                   [](const FitQuality& quality) {
                                     return quality.fit_percent >= kExactFit;
                                   });
+  standing.admission = admit(basis_of(fit, standing));
   return standing;
 }
 
 std::string sentence_of(const FitStanding& standing) {
+  if (standing.admission.standing == Standing::Incomplete)
+    return "Incomplete, " + standing.admission.why + ": the numbers are the best so far.";
   if (!standing.converged) return "The fit did not converge.";
   std::string numbers = "The parameters are estimated";
   const std::size_t off = standing.open.size() + standing.at_ends.size();

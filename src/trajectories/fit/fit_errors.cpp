@@ -277,8 +277,8 @@ FitMinimum nearest_minimum(FitEngine& engine, const FitUnknowns& unknowns, FitMi
   }
   FitUnknowns starts = unknowns;
   starts.global.clear();
-  moved = minimise(engine, starts, moved.point, {}, 30, context);
-  moved = minimise(engine, unknowns, moved.point, {}, 30, context);
+  moved = minimise_in_time(engine, starts, moved.point, {}, 30, context);
+  moved = minimise_in_time(engine, unknowns, moved.point, {}, 30, context);
   const double before = total_cost(unknowns, minimum.point, minimum.path);
   return total_cost(unknowns, moved.point, moved.path) < kSame * before ? moved : minimum;
 }

@@ -99,7 +99,7 @@ KnownNumbers known_numbers(FitEngine& engine, const FitUnknowns& unknowns,
                            const FitMinimum& minimum, ProfileUse use,
                            const RunContext& context) {
   KnownNumbers known{.minimum = minimum, .errors = {}};
-  const RunContext needed = context.unhurried();
+  const RunContext needed = with_last_second(context);
   const bool follow_profiles =
       use == ProfileUse::Curves || use == ProfileUse::Always ||
       (use == ProfileUse::Cheap && profile_work(engine, unknowns) <= kModerateWork);
@@ -118,7 +118,8 @@ KnownNumbers known_numbers(FitEngine& engine, const FitUnknowns& unknowns,
     }
     if (!better || round == kMostRounds) return known;
     constexpr int kIterations = 60;
-    known.minimum = minimise(engine, unknowns, better->point, {}, kIterations, needed);
+    known.minimum =
+        minimise_in_time(engine, unknowns, better->point, {}, kIterations, needed);
   }
 }
 

@@ -75,7 +75,8 @@ Dataset heads_of(Dataset data, Index samples) {
 /// of the fit.
 /// @param unknowns with what is known of these numbers.
 FitPoint begun(const ParametrisedModel& model, const Matrix& parameters, const Dataset& data,
-               const Matrix& usual, Index window, FitUnknowns unknowns) {
+               const Matrix& usual, Index window, FitUnknowns unknowns,
+               const RunContext& context) {
   FitEngine engine = fit_engine(model, fit_records(model, heads_of(data, window)));
   unknowns.global.clear();
   FitPoint point{parameters, engine.records.starts};
@@ -88,7 +89,7 @@ FitPoint begun(const ParametrisedModel& model, const Matrix& parameters, const D
     }
   }
   choose_method(engine, point);
-  return minimise(engine, unknowns, point, {}, 60, {}).point;
+  return minimise_in_time(engine, unknowns, point, {}, 60, with_last_second(context)).point;
 }
 
 /// Free runs of held-out records with given numbers.
@@ -98,14 +99,15 @@ struct HeldOut {
 };
 
 HeldOut held_out_with(const ParametrisedModel& model, const Vector& values, const Dataset& data,
-                      const Matrix& usual, const FitOptions& options, FitUnknowns unknowns) {
+                      const Matrix& usual, const FitOptions& options, FitUnknowns unknowns,
+                      const RunContext& context) {
   for (const Index p : unknowns.varying)
     unknowns.priors[static_cast<std::size_t>(p)]->value = values[p];
   FitEngine engine = fit_engine(model, fit_records(model, data));
   set_substeps(engine, 4);
   const Matrix parameters = values.transpose().replicate(engine.records.records(), 1);
   const FitPoint point =
-      begun(model, parameters, data, usual, options.window, std::move(unknowns));
+      begun(model, parameters, data, usual, options.window, std::move(unknowns), context);
   choose_method(engine, point);
   const FitPath path = follow(engine, point, {});
   HeldOut found{quality_of(engine, point, path, options.prediction, options.window)};
@@ -187,14 +189,16 @@ std::vector<FitQuality> quality_of(FitEngine& engine, const FitPoint& point,
 
 std::optional<FitGap> gap_of(const ParametrisedModel& model, const FitPoint& fitted,
                              const Dataset& held_out, const Matrix& usual,
-                             const FitOptions& options, const FitUnknowns& unknowns) {
+                             const FitOptions& options, const FitUnknowns& unknowns,
+                             const RunContext& context) {
   HeldOut after = held_out_with(model, fitted.parameters.colwise().mean().transpose(), held_out,
-                                usual, options, unknowns);
+                                usual, options, unknowns, context);
   if (std::all_of(after.quality.begin(), after.quality.end(),
                   [](const FitQuality& quality) { return quality.samples == 0; }))
     return std::nullopt;
   FitGap gap{.before =
-                 held_out_with(model, model.values(), held_out, usual, options, unknowns).size,
+                 held_out_with(model, model.values(), held_out, usual, options, unknowns, context)
+                     .size,
              .after = after.size,
              .noise_floor = after.noise,
              .records = {},

@@ -26,6 +26,7 @@ std::vector<FitQuality> quality_of(FitEngine& engine, const FitPoint& point,
 /// @return nothing where no sample is left behind those that give initial states.
 std::optional<FitGap> gap_of(const ParametrisedModel& model, const FitPoint& fitted,
                              const Dataset& held_out, const Matrix& usual,
-                             const FitOptions& options, const FitUnknowns& unknowns);
+                             const FitOptions& options, const FitUnknowns& unknowns,
+                             const RunContext& context = {});
 
 }  // namespace lacuna

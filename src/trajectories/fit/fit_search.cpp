@@ -2,6 +2,7 @@
 #include "fit_search.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -31,7 +32,7 @@ double spread_of(const Vector& values) {
 FitMinimum polished(FitEngine& engine, const FitUnknowns& unknowns, FitMinimum found,
                     const FitSearchOptions& options, const RunContext& context) {
   if (!choose_substeps(engine, found.point, {}, kFine)) return found;
-  return minimise(engine, unknowns, found.point, {}, options.most_iterations, context);
+  return minimise_in_time(engine, unknowns, found.point, {}, options.most_iterations, context);
 }
 
 /// How far parameters are from others, as fractions of these.
@@ -79,10 +80,14 @@ bool is_cheap(const FitEngine& engine) {
 
 }  // namespace
 
+RunContext with_last_second(const RunContext& context) {
+  RunContext last = context;
+  if (last.deadline) *last.deadline += std::chrono::seconds(1);
+  return last;
+}
+
 int usual_range_starts(const FitEngine& engine) {
-  // Decisions: one in seven of them comes to the best minimum of published problems.
-  constexpr int kUsual = 60, kWithMany = 10;
-  return is_cheap(engine) ? kUsual : kWithMany;
+  return is_cheap(engine) ? kRangeStarts : kRangeStartsOfMany;
 }
 
 FitMinimum reweighted(FitEngine& engine, const FitUnknowns& unknowns, FitMinimum found,
@@ -96,7 +101,9 @@ FitMinimum reweighted(FitEngine& engine, const FitUnknowns& unknowns, FitMinimum
     const double change = take_sizes(engine, unknowns, found.path);
     found.path = follow(engine, found.point, {});  // its cost with the new sizes
     if (round > 0 && change < settled) break;
-    found = minimise(engine, unknowns, found.point, {}, options.most_iterations, context);
+    found =
+        minimise_in_time(engine, unknowns, found.point, {}, options.most_iterations, context);
+    if (!found.in_time) break;
   }
   return found;
 }
@@ -262,9 +269,13 @@ void try_other_starts(FitEngine& engine, const FitUnknowns& unknowns, const FitP
     FitSearchOptions other = options;  // some with less disturbance from the first on
     other.first_level = static_cast<std::size_t>(2 * (i % 3));
     const double spread = i % 2 == 0 ? options.spread : options.spread * options.spread;
-    take(continued(engine, unknowns, other_start(engine, unknowns, start, spread, random),
-                   other, context)
-             .best);
+    FitMinimum found =
+        continued(engine, unknowns, other_start(engine, unknowns, start, spread, random), other,
+                  context)
+            .best;
+    const bool cut = !found.in_time;
+    take(std::move(found));
+    if (cut) throw OutOfTime();
   }
   if (!ranged && search.agreeing < kEnough && has_ranges())
     try_ranges(engine, unknowns, start, options, context, search);
@@ -278,7 +289,9 @@ FitSearch through_filters(FitEngine& engine, const FitUnknowns& unknowns, const 
                           std::optional<FitMinimum> free, const FitSearchOptions& options,
                           const RunContext& context) {
   Continued found = continued(engine, unknowns, start, options, context);
+  if (!found.best.in_time && (free || options.rough)) throw OutOfTime();
   FitSearch search{.best = std::move(found.best),
+                   .in_time = found.best.in_time,
                    .ran_freely = free.has_value(),
                    .departs = found.departs};
   if (free && !search.departs)
@@ -292,10 +305,14 @@ FitSearch through_filters(FitEngine& engine, const FitUnknowns& unknowns, const 
 FitSearch from_given_start(FitEngine& engine, const FitUnknowns& unknowns,
                            const FitPoint& start, const FitSearchOptions& options,
                            const RunContext& context) {
-  const RunContext needed = options.rough ? context : context.unhurried();
+  const RunContext needed = options.rough ? context : with_last_second(context);
   std::optional<FitMinimum> free;
   if (engine.implicit && std::isfinite(follow(engine, start, {}).cost))
-    free = minimise(engine, unknowns, start, {}, options.most_iterations, needed);
+    free = minimise_in_time(engine, unknowns, start, {}, options.most_iterations, needed);
+  if (free && !free->in_time) {
+    if (options.rough) throw OutOfTime();
+    return {.best = std::move(*free), .in_time = false};
+  }
   if (free && is_good(engine, unknowns, start, *free, options)) return {std::move(*free)};
   try {
     return through_filters(engine, unknowns, start, free, options, free ? context : needed);
@@ -323,9 +340,9 @@ FitSearch from_several_starts(FitEngine& engine, const FitUnknowns& unknowns,
 FitMinimum settled(FitEngine& engine, const FitUnknowns& unknowns, FitMinimum found,
                    const FitSearchOptions& options, const RunContext& context) {
   found = reweighted(engine, unknowns, std::move(found), options, context);
-  found = polished(engine, unknowns, std::move(found), options, context);
-  found = reweighted(engine, unknowns, std::move(found), options, context);
-  if (check_by_implicit_steps(engine, found, kWrong))
+  if (found.in_time) found = polished(engine, unknowns, std::move(found), options, context);
+  if (found.in_time) found = reweighted(engine, unknowns, std::move(found), options, context);
+  if (found.in_time && check_by_implicit_steps(engine, found, kWrong))
     found = reweighted(engine, unknowns, std::move(found), options, context);
   return found;
 }
@@ -335,12 +352,13 @@ FitSearch settled_search(FitEngine& engine, const FitUnknowns& unknowns, const F
                          const FitSearchOptions& options, const RunContext& context) {
   FitSearch search = from_several_starts(engine, unknowns, start, options, context);
   search.met_noise = is_good(engine, unknowns, start, search.best, options);
-  const RunContext needed = context.unhurried();
   if (std::isfinite(search.best.path.cost)) take_sizes(engine, unknowns, search.best.path);
+  if (!search.best.in_time) return search;
+  const RunContext needed = with_last_second(context);
   if (leave_implicit_steps(engine, search.best.point)) {
     choose_substeps(engine, search.best.point, {}, kFine);
-    search.best =
-        minimise(engine, unknowns, search.best.point, {}, options.most_iterations, needed);
+    search.best = minimise_in_time(engine, unknowns, search.best.point, {},
+                                   options.most_iterations, needed);
   }
   FitMinimum exact = settled(engine, unknowns, search.best, options, needed);
   if (std::isfinite(search.best.path.cost) && !std::isfinite(exact.path.cost)) {
@@ -362,7 +380,8 @@ FitSearch search_fit(FitEngine& engine, const FitUnknowns& unknowns, const FitPo
   const Vector sigma = engine.sigma;
   const auto laws = engine.laws;
   FitSearch search = settled_search(engine, unknowns, start, options, context);
-  if (!search.met_noise || is_good(engine, unknowns, start, search.best, options)) return search;
+  if (!search.in_time || !search.met_noise) return search;
+  if (is_good(engine, unknowns, start, search.best, options)) return search;
   // What met the noise was the model with steps that are too long: again with those that are not.
   engine.sigma = sigma;
   engine.laws = laws;

@@ -46,10 +46,13 @@ struct FitSearchOptions {
 /// (continuation in the gain of an observer: Ljung, System Identification (1999), Sect. 7.2;
 /// Abarbanel et al., SIAM J. Appl. Dyn. Syst. 8:1341, 2009). The free run from the guess itself
 /// is tried too, first where the model is stiff; where residuals stay above the noise, seeded other
-/// starts. A deadline ends the trying of other starts, not the fit from the given one (of stiff
-/// models: not that of the free run).
+/// starts. Past a deadline the best run so far is the answer, its minimum not `in_time` where the
+/// fit from the given start was cut.
 FitSearch search_fit(FitEngine& engine, const FitUnknowns& unknowns, const FitPoint& start,
                      const FitSearchOptions& options, const RunContext& context);
+
+/// The context for what belongs to an answer whose search a deadline ended: a second more.
+RunContext with_last_second(const RunContext& context);
 
 /// Starts over the ranges where no number is given: fewer where each takes long.
 int usual_range_starts(const FitEngine& engine);
@@ -85,7 +88,7 @@ double deviance_of(const FitEngine& engine, const FitUnknowns& unknowns,
                    const FitMinimum& minimum);
 
 /// The minimum where each channel counts by the size of its residuals; laws alike. The engine has
-/// these sizes then.
+/// these sizes then. Past a deadline it is what it was, or on its way.
 FitMinimum reweighted(FitEngine& engine, const FitUnknowns& unknowns, FitMinimum found,
                       const FitSearchOptions& options, const RunContext& context);
 

@@ -55,8 +55,13 @@ void add_priors(const FitUnknowns& unknowns, const std::vector<Index>& parameter
 class RecordBlocks final : public BlockProblem {
  public:
   RecordBlocks(FitEngine& engine, const FitUnknowns& unknowns, const FitPoint& start,
-               const Gains& gains, FitMinimum& best)
-      : engine_(engine), unknowns_(unknowns), gains_(gains), best_(best), point_(start) {}
+               const Gains& gains, const RunContext& context, FitMinimum& best)
+      : engine_(engine),
+        unknowns_(unknowns),
+        gains_(gains),
+        context_(context),
+        best_(best),
+        point_(start) {}
 
   BlockPoint blocks_of(const FitPoint& point) const {
     const Index m = point.starts.cols();
@@ -69,6 +74,7 @@ class RecordBlocks final : public BlockProblem {
   }
 
   double cost(const BlockPoint& blocks) override {
+    if (best_.path.residuals.size() > 0) context_.check_stop();  // the first one is the answer
     const Index m = point_.starts.cols();
     point_.starts = blocks.own.leftCols(m);
     point_.parameters(Eigen::all, unknowns_.local) =
@@ -94,6 +100,7 @@ class RecordBlocks final : public BlockProblem {
   FitEngine& engine_;
   const FitUnknowns& unknowns_;
   const Gains& gains_;
+  const RunContext& context_;
   FitMinimum& best_;
   FitPoint point_;
   FitPath path_;
@@ -228,20 +235,32 @@ double degrees_of_freedom(const FitEngine& engine, const FitUnknowns& unknowns) 
   return std::max(1.0, engine.records.valid.sum() - taken);
 }
 
-FitMinimum minimise(FitEngine& engine, const FitUnknowns& unknowns, const FitPoint& start,
-                    const Gains& gains, int most_iterations, const RunContext& context) {
+FitMinimum minimise_in_time(FitEngine& engine, const FitUnknowns& unknowns,
+                            const FitPoint& start, const Gains& gains, int most_iterations,
+                            const RunContext& context) {
   constexpr double kSmall = 1e-5;
   FitMinimum best{start, {}};
-  RecordBlocks blocks(engine, unknowns, start, gains, best);
-  const BlockMinimum found =
-      minimise_blocks(blocks, blocks.blocks_of(start),
-                      {degrees_of_freedom(engine, unknowns), kSmall, most_iterations,
-                       in_order(unknowns, unknowns.lower, engine.states(), -kInfinity),
-                       in_order(unknowns, unknowns.upper, engine.states(), kInfinity),
-                       true},
-                      context);
-  best.converged = found.converged;
-  best.iterations = found.iterations;
+  RecordBlocks blocks(engine, unknowns, start, gains, context, best);
+  try {
+    const BlockMinimum found =
+        minimise_blocks(blocks, blocks.blocks_of(start),
+                        {degrees_of_freedom(engine, unknowns), kSmall, most_iterations,
+                         in_order(unknowns, unknowns.lower, engine.states(), -kInfinity),
+                         in_order(unknowns, unknowns.upper, engine.states(), kInfinity), true},
+                        context);
+    best.converged = found.converged;
+    best.iterations = found.iterations;
+  } catch (const OutOfTime&) {
+    best.in_time = false;
+  }
+  return best;
+}
+
+FitMinimum minimise(FitEngine& engine, const FitUnknowns& unknowns, const FitPoint& start,
+                    const Gains& gains, int most_iterations, const RunContext& context) {
+  FitMinimum best =
+      minimise_in_time(engine, unknowns, start, gains, most_iterations, context);
+  if (!best.in_time) throw OutOfTime();
   return best;
 }
 

@@ -47,6 +47,7 @@ struct FitMinimum {
   FitPath path;
   bool converged = false;
   int iterations = 0;
+  bool in_time = true;  ///< or a deadline ended it before
 };
 
 /// How many deviations a parameter is above what is known of it; not finite where the logarithm
@@ -64,5 +65,10 @@ double degrees_of_freedom(const FitEngine& engine, const FitUnknowns& unknowns);
 /// parameter by one standard error) ends it.
 FitMinimum minimise(FitEngine& engine, const FitUnknowns& unknowns, const FitPoint& start,
                     const Gains& gains, int most_iterations, const RunContext& context);
+
+/// The same, which ends past a deadline with the best point so far instead of an exception.
+FitMinimum minimise_in_time(FitEngine& engine, const FitUnknowns& unknowns,
+                            const FitPoint& start, const Gains& gains, int most_iterations,
+                            const RunContext& context);
 
 }  // namespace lacuna

@@ -49,6 +49,10 @@ struct VerdictBasis {
   /// Coefficients, and named combinations of them, that are off beyond significance: something
   /// that CoefficientsOff can point at.
   std::optional<Index> changed = {};
+  /// Numbers that the claim rests on and that the records do not determine.
+  std::vector<std::string> open = {};
+  /// Whether the records would show the opposite of the claim.
+  bool shows_opposite = true;
   /// Nothing moves: what was measured never changes, or is noise.
   bool still = false;
   /// The longest memory of what the claim takes for noise, as a fraction of a record.
@@ -75,6 +79,8 @@ struct Admission {
 ///
 /// Refused are
 /// - any claim that a stage could change that was left out: Incomplete;
+/// - any claim that rests on numbers that the records do not determine: Undetermined;
+/// - any claim of which the records would not show the opposite: Undetermined;
 /// - any claim on records in which nothing moves: Undetermined;
 /// - any claim that takes for noise what remembers more than a fraction of the record: noise as
 ///   slow as that is not distinguished from structure: Undetermined;

@@ -12,7 +12,9 @@
 namespace lacuna {
 
 /// Reads one file as a table: text (.csv, .txt, .tsv, ..., also .gz) or NumPy .npy, chosen by
-/// the ending of its name.
+/// the ending of its name; or files of one run, "a.csv+b.csv", joined on time: a row for each
+/// time of any of them, in which the channels that have no sample then are missing
+/// (Table::own_times). A name that holds a `+` and is there is that file.
 /// @throws FileError when it cannot be opened; DataError naming file, line and column.
 Table read_table(const std::filesystem::path& path);
 
@@ -26,7 +28,8 @@ Table read_table(const std::filesystem::path& path, const ColumnRoles& roles);
 Table renamed(Table table, const ColumnRoles& roles);
 
 /// Paths with each pattern ("run*.csv") replaced by the files that match it, in the order of
-/// their names. What exists as it is written is no pattern.
+/// their names. What exists as it is written is no pattern. In "a*.csv+b.csv", files that are
+/// joined (read_table()), a pattern is the one file that it matches.
 /// @throws DataError when a pattern matches no file or no path is given.
 std::vector<std::string> expand_patterns(const std::vector<std::string>& paths);
 

@@ -31,6 +31,9 @@ struct ColumnRoles {
   std::vector<std::string> derivatives = {};
   std::optional<std::string> trajectory = {};  ///< column that numbers the records in one file
   Blanks blanks = Blanks::Cut;
+  /// How columns go on between their samples, which is asked where channels have times of their
+  /// own (Table::own_times).
+  std::vector<std::pair<std::string, Hold>> holds = {};
   /// Other names for columns, before all else: the new name and the column (rename_column()).
   std::vector<std::pair<std::string, std::string>> names = {};
 };
@@ -67,7 +70,9 @@ struct ColumnIndices {
 ColumnIndices find_columns(const Table& table, const ColumnRoles& roles);
 
 /// Gives the columns their roles and cuts the rows into trajectories: a missing value, a jump
-/// in time or a new number in the trajectory column starts a new one; each split is noted. The
+/// in time or a new number in the trajectory column starts a new one; each split is noted. Where
+/// channels have times of their own, inputs go on between their samples (ColumnRoles::holds);
+/// states are marked as missing between theirs or, with Blanks::Cut, brought to the same times. The
 /// time unit is the one that is given, else that of the time column, else "s". A state or an
 /// input called like a word of the expression language (`t`) gets an underscore, which is
 /// noted.

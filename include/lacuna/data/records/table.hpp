@@ -40,6 +40,14 @@ struct Table {
   /// The time, where it was counted from its first value before it became doubles.
   std::optional<CountedColumn> counted = {};
 
+  /// Of times of a clock, which count from the first one: what the clock showed then, in seconds
+  /// since 2000, or since midnight where there is no date.
+  std::optional<double> clock_start = {};
+
+  /// Whether channels have times of their own: there is a row for each time of any, in which the
+  /// channels that have no sample then are missing.
+  bool own_times = false;
+
   /// What the reader did that a user should know of: names changed, a preamble skipped.
   std::vector<std::string> notes;
 };
@@ -61,6 +69,7 @@ std::string to_identifier(std::string_view text);
 
 /// Takes a header text apart: the unit is in brackets or parentheses at its end, or a known one
 /// behind a comma: "x [V]", "x (V)", "x, V"; a remark with a colon ("(S/N: 1)") is left out.
+/// Digits in brackets belong to the name ("position[0]"), but for the unit of "x [1]".
 Quantity split_header(std::string_view text);
 
 /// Gives a table its column names. A header that is no identifier or is a word of the

@@ -40,7 +40,8 @@ struct ChannelOptions {
 /// @throws DataError as check_dataset().
 BoundRecords observed(Dataset data, const ChannelOptions& options = {});
 
-/// Other records of the same channels: as observed(), with the ends that the first ones show.
+/// Other records of the same channels: as observed(), with the ends that the first ones show
+/// and these do not go beyond.
 /// All marks are in the trajectories, those of possible outliers too.
 BoundRecords observed_alike(Dataset data, const BoundRecords& records,
                             const ChannelOptions& options = {});

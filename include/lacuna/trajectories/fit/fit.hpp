@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "lacuna/core/base/admission.hpp"
 #include "lacuna/core/base/run_context.hpp"
 #include "lacuna/core/base/stages_done.hpp"
 #include "lacuna/data/records/dataset.hpp"
@@ -21,11 +22,16 @@ struct KnownDeviation {
   std::string column;   ///< input of the records that has them, all above 0
 };
 
+/// Starts anywhere in the ranges of parameters where none are asked for, with few samples and with
+/// many: one in seven comes to the best minimum of published problems.
+inline constexpr int kRangeStarts = 60, kRangeStartsOfMany = 10;
+
 /// How a model of known structure is fitted.
 struct FitOptions {
   int restarts = 8;       ///< at most so many other starts where residuals are above the noise
   /// At most so many starts anywhere in the ranges of parameters, wherever the first fit ends;
-  /// nothing: 60 (10 with many samples) where a range is wide and residuals are above the noise.
+  /// nothing: kRangeStarts (kRangeStartsOfMany) where a range is wide and residuals are above the
+  /// noise.
   std::optional<int> starts = {};
   /// Quick: from the given start alone, intervals by standard errors. Full: profiles of the
   /// likelihood of every parameter, whatever they cost.
@@ -212,11 +218,13 @@ struct FitStanding {
   std::vector<std::string> open = {};     ///< those that the records do not determine
   std::vector<std::string> at_ends = {};  ///< those that ended at the end of their range
   bool is_exact = false;             ///< residuals are rounding, no noise can be seen
+  Admission admission = {};  ///< whether it may be said that the model fits, or lacks something
 
-  /// Whether residuals are noise, every number is determined, and none stands at an end of its
-  /// range.
+  /// Whether residuals are noise, every number is determined, none stands at an end of its
+  /// range, and nothing was left out that could change this.
   bool is_sound() const {
-    return converged && fits == Adequate::Yes && open.empty() && at_ends.empty();
+    return converged && fits == Adequate::Yes && open.empty() && at_ends.empty() &&
+           admission.stands();
   }
 };
 

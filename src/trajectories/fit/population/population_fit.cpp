@@ -179,11 +179,28 @@ Matrix start_errors(const FitEngine& engine, const PopulationProblem& problem,
   return errors;
 }
 
-std::vector<StageDone> stages_of(const FitOptions& options, bool in_time) {
-  StageDone starts{"starts"};
+/// @param errors whether there was time for them.
+std::vector<StageDone> stages_of(const FitOptions& options, const PopulationMinimum& minimum,
+                                 bool errors) {
+  const auto in_time = [](const char* name, bool done) {
+    return done ? StageDone{name} : StageDone{name, false, kTimeIsUp};
+  };
+  StageDone starts = in_time("starts", minimum.in_time);
   if (options.effort == Thoroughness::Quick) starts = {"starts", false, kIsQuick};
-  if (!in_time) starts = {"starts", false, kTimeIsUp};
-  return {{"fit"}, starts};
+  return {in_time("fit", minimum.whole), starts, in_time("intervals", errors)};
+}
+
+/// Errors at the maximum; nothing past the deadline.
+std::optional<PopulationErrors> errors_in_time(FitEngine& engine,
+                                               const PopulationProblem& problem,
+                                               const PopulationMinimum& minimum,
+                                               const RunContext& context) {
+  if (!minimum.whole) return std::nullopt;
+  try {
+    return errors_of_population(engine, problem, minimum, with_last_second(context));
+  } catch (const OutOfTime&) {
+    return std::nullopt;
+  }
 }
 
 /// What is estimated of all records together, and of each for itself.
@@ -248,13 +265,15 @@ FitEstimate estimate_population(const SystemModel& system, FitEngine& engine,
   const PopulationMinimum minimum = search_population(engine, problem, start, quick, context);
   if (!std::isfinite(minimum.state.loss)) throw_no_run();
   context.unhurried().report("errors of the numbers", 0.9);
+  const PopulationCoordinates coordinates(problem, minimum.values);
+  const auto in_time = errors_in_time(engine, problem, minimum, context);
   const PopulationErrors errors =
-      errors_of_population(engine, problem, minimum, context.unhurried());
+      in_time ? *in_time : unknown_errors(problem, coordinates.size());
   set_noise_sizes(problem.sizes, minimum.values.sizes, engine);
   const KnownPopulation known{problem, minimum, errors,
-                              PopulationCoordinates(problem, minimum.values), left};
+                              coordinates, left};
   result.degrees_of_freedom = left;
-  result.stages = stages_of(options, minimum.in_time);
+  result.stages = stages_of(options, minimum, in_time.has_value());
   result.numbers = numbers_of(engine, known);
   result.model = with_numbers(system, engine.model, result.numbers);
   const Index g = known.coordinates.globals();

@@ -92,7 +92,9 @@ double loss_with_spread(Objective objective, SmoothTask task, Index place, doubl
                         const RunContext& context) {
   hold(place, value, task);
   task.most_iterations = 6;
-  return least(objective, task, context).value;
+  const SmoothMinimum found = least(objective, task, context);
+  if (!found.in_time) throw OutOfTime();
+  return found.value;
 }
 
 /// The largest spread whose deviance is within the limit, where none is best.
@@ -171,7 +173,9 @@ PopulationMinimum maximise(FitEngine& engine, const PopulationProblem& problem,
                   coordinates.lower(), coordinates.upper()};
   task.difference = difference_for(engine);
   SmoothMinimum best = least(objective, task, context);
-  while (const auto spread = unnoticed_spread(objective, best, task)) {
+  while (best.in_time) {
+    const auto spread = unnoticed_spread(objective, best, task);
+    if (!spread) break;
     task.start = best.place;
     task.curvature = usable_curvature(best.curvature);
     hold(*spread, 0.0, task);
@@ -181,6 +185,7 @@ PopulationMinimum maximise(FitEngine& engine, const PopulationProblem& problem,
   found.values = coordinates.values(best.place);
   found.state = objective.at(best.place);
   found.converged = best.converged;
+  found.whole = best.in_time;
   return found;
 }
 
@@ -188,9 +193,8 @@ PopulationMinimum search_population(FitEngine& engine, const PopulationProblem& 
                                     const FitPoint& start, bool only_given,
                                     const RunContext& context) {
   constexpr double kSame = 0.01;  // a fact of the search: of twice the log-likelihood
-  const RunContext needed = context.unhurried();
   FitUnknowns alike = problem.unknowns;  // as if nothing varied
-  const FitSearch pooled = search_fit(engine, alike, start, {.only_given = true}, needed);
+  const FitSearch pooled = search_fit(engine, alike, start, {.only_given = true}, context);
   PopulationValues values{start.parameters.row(0).transpose(),
                           Vector(static_cast<Index>(problem.varying.size())),
                           noise_sizes(engine, problem.sizes)};
@@ -198,26 +202,23 @@ PopulationMinimum search_population(FitEngine& engine, const PopulationProblem& 
     values.spreads[static_cast<Index>(j)] = problem.varying[j].start;
   context.unhurried().report("the population", 0.3);
   PopulationMinimum best =
-      maximise(engine, problem, values, first_guesses(problem, start), needed);
+      maximise(engine, problem, values, first_guesses(problem, start), context);
   if (!only_given && std::isfinite(pooled.best.path.cost)) {
-    try {
-      values.parameters = pooled.best.point.parameters.row(0).transpose();
-      PopulationMinimum other = maximise(
-          engine, problem, values, first_guesses(problem, pooled.best.point), context);
-      const double gain = best.state.loss - other.state.loss;
-      const bool is_same = std::abs(gain) < kSame;
-      if (gain > 0.0 || !std::isfinite(best.state.loss)) best = std::move(other);
-      best.starts = 2;
-      best.agreeing = is_same ? 2 : 1;
-    } catch (const OutOfTime&) {
-      best.in_time = false;
-    }
+    values.parameters = pooled.best.point.parameters.row(0).transpose();
+    PopulationMinimum other =
+        maximise(engine, problem, values, first_guesses(problem, pooled.best.point), context);
+    const double gain = best.state.loss - other.state.loss;
+    const bool is_same = std::abs(gain) < kSame, in_time = best.whole && other.whole;
+    if (gain > 0.0 || !std::isfinite(best.state.loss)) best = std::move(other);
+    best.starts = 2;
+    best.agreeing = is_same ? 2 : 1;
+    best.in_time = in_time;
   }
-  if (!std::isfinite(best.state.loss)) return best;
+  if (!std::isfinite(best.state.loss) || !best.whole) return best;
   constexpr double kFine = 0.01;  // deviations, in all samples together: of a likelihood 0.01
   if (choose_substeps(engine, best.state.point, {}, kFine)) {
     PopulationMinimum finer =
-        maximise(engine, problem, best.values, own_of(best.state), needed);
+        maximise(engine, problem, best.values, own_of(best.state), with_last_second(context));
     finer.starts = best.starts;
     finer.agreeing = best.agreeing;
     finer.in_time = best.in_time;
@@ -225,6 +226,13 @@ PopulationMinimum search_population(FitEngine& engine, const PopulationProblem& 
   }
   best.state = population_at(engine, problem, best.values, own_of(best.state));
   return best;
+}
+
+PopulationErrors unknown_errors(const PopulationProblem& problem, Index coordinates) {
+  const std::size_t spreads = problem.varying.size();
+  return {Matrix::Zero(coordinates, coordinates),
+          std::vector<bool>(static_cast<std::size_t>(coordinates), false),
+          std::vector<std::optional<double>>(spreads), std::vector<bool>(spreads, true)};
 }
 
 PopulationErrors errors_of_population(FitEngine& engine, const PopulationProblem& problem,

@@ -19,6 +19,7 @@ struct PopulationMinimum {
   bool converged = false;
   int starts = 1, agreeing = 1;  ///< from how many starts, how many came to the same
   bool in_time = true;           ///< whether no deadline came before the last start
+  bool whole = true;             ///< or a deadline ended the search for this maximum
 };
 
 /// Maximises the likelihood over typical values, spreads and sizes of noise together. A spread
@@ -46,8 +47,11 @@ struct PopulationErrors {
   std::vector<bool> may_be_zero;
 };
 
+/// Those of which nothing is known. @param coordinates how many there are.
+PopulationErrors unknown_errors(const PopulationProblem& problem, Index coordinates);
+
 /// Errors from second differences of the likelihood at its maximum, with spreads that are 0 and
-/// numbers at the ends of their ranges held.
+/// numbers at the ends of their ranges held. @throws OutOfTime past the deadline.
 PopulationErrors errors_of_population(FitEngine& engine, const PopulationProblem& problem,
                                       const PopulationMinimum& minimum,
                                       const RunContext& context);

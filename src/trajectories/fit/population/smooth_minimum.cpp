@@ -4,6 +4,7 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 namespace lacuna {
@@ -61,16 +62,19 @@ void learn(const Vector& step, const Vector& change, Matrix& curvature) {
 
 }  // namespace
 
-SmoothMinimum minimise_smooth(FunctionRef<double(const Vector&)> function,
-                              FunctionRef<void(const Vector&)> moved, const SmoothTask& task,
-                              const RunContext& context) {
+namespace {
+
+/// Descends from a place where the function is finite. @throws OutOfTime past the deadline.
+void descend(FunctionRef<double(const Vector&)> function,
+             FunctionRef<void(const Vector&)> moved, const SmoothTask& task,
+             const RunContext& context, SmoothMinimum& best) {
   constexpr double kEnough = 1e-4;  // of the promised decrease: Nocedal and Wright, Sect. 3.1
   constexpr int kMostHalvings = 30;
-  SmoothMinimum best{task.start.cwiseMax(task.lower).cwiseMin(task.upper), 0.0, task.curvature};
-  moved(best.place);
-  best.value = function(best.place);
-  if (!std::isfinite(best.value)) return best;
-  Vector gradient = gradient_of(function, best.place, task, best.curvature);
+  const auto in_time = [&](const Vector& place) {
+    context.check_stop();
+    return function(place);
+  };
+  Vector gradient = gradient_of(in_time, best.place, task, best.curvature);
   while (best.iterations < task.most_iterations && gradient.allFinite()) {
     context.check_stop();
     ++best.iterations;
@@ -85,7 +89,7 @@ SmoothMinimum minimise_smooth(FunctionRef<double(const Vector&)> function,
     int halvings = 0;
     for (; halvings < kMostHalvings; ++halvings, fraction *= 0.5) {
       place = (best.place + fraction * step).cwiseMax(task.lower).cwiseMin(task.upper);
-      value = function(place);
+      value = in_time(place);
       if (value <= best.value + kEnough * gradient.dot(place - best.place)) break;
     }
     if (halvings == kMostHalvings) {
@@ -93,12 +97,28 @@ SmoothMinimum minimise_smooth(FunctionRef<double(const Vector&)> function,
       best.converged = -0.5 * step.dot(gradient) < kNoticed;
       break;
     }
-    moved(place);
-    const Vector next = gradient_of(function, place, task, best.curvature);
-    learn(place - best.place, next - gradient, best.curvature);
-    best.place = place;
+    const Vector before = std::exchange(best.place, place);
     best.value = value;
+    moved(place);
+    const Vector next = gradient_of(in_time, place, task, best.curvature);
+    learn(place - before, next - gradient, best.curvature);
     gradient = next;
+  }
+}
+
+}  // namespace
+
+SmoothMinimum minimise_smooth(FunctionRef<double(const Vector&)> function,
+                              FunctionRef<void(const Vector&)> moved, const SmoothTask& task,
+                              const RunContext& context) {
+  SmoothMinimum best{task.start.cwiseMax(task.lower).cwiseMin(task.upper), 0.0, task.curvature};
+  moved(best.place);
+  best.value = function(best.place);
+  if (!std::isfinite(best.value)) return best;
+  try {
+    descend(function, moved, task, context, best);
+  } catch (const OutOfTime&) {
+    best.in_time = false;
   }
   return best;
 }
@@ -110,6 +130,7 @@ Matrix second_derivatives(FunctionRef<double(const Vector&)> function, const Vec
     Vector moved = place;
     moved[i] += a * steps[i];
     moved[j] += b * steps[j];
+    context.check_stop();
     return function(moved);
   };
   const double here = function(place);

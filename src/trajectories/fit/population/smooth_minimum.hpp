@@ -28,12 +28,14 @@ struct SmoothMinimum {
   Matrix curvature;  ///< second derivatives as the search has learned them
   bool converged = false;
   int iterations = 0;
+  bool in_time = true;  ///< or a deadline ended it before
 };
 
 /// Minimises a function by the BFGS method with derivatives from central differences, numbers
 /// kept in their ranges by an active set (Nocedal and Wright, Numerical Optimization (2006),
 /// Ch. 6 and Sect. 8.1).
 /// @param function its value; infinite where there is none.
+/// Past a deadline it ends with the best place so far.
 /// @param moved is called with each place that the search goes to.
 SmoothMinimum minimise_smooth(FunctionRef<double(const Vector&)> function,
                               FunctionRef<void(const Vector&)> moved, const SmoothTask& task,

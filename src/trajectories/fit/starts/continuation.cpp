@@ -56,9 +56,22 @@ double excess_of_noise(const FitEngine& engine, const FitUnknowns& unknowns,
   return most;
 }
 
-Continued continued(FitEngine& engine, const FitUnknowns& unknowns, const FitPoint& point,
-                    const FitSearchOptions& options, const RunContext& context) {
-  FitMinimum filtered{point, follow(engine, point, {})};
+namespace {
+
+/// Where a search through filters is when its time is up: at the numbers that it has come to, or
+/// where it began, whichever run is nearer to the records.
+FitMinimum so_far(FitEngine& engine, const FitUnknowns& unknowns, const FitPoint& start,
+                  const FitPoint& reached) {
+  FitMinimum begin{start, follow(engine, start, {})}, found{reached, follow(engine, reached, {})};
+  begin.in_time = found.in_time = false;
+  const double before = total_cost(unknowns, begin.point, begin.path);
+  return total_cost(unknowns, found.point, found.path) < before ? found : begin;
+}
+
+/// @param filtered where it is; @throws OutOfTime past the deadline.
+Continued through_filters(FitEngine& engine, const FitUnknowns& unknowns,
+                          const FitSearchOptions& options, const RunContext& context,
+                          FitMinimum& filtered) {
   {
     const RoughSteps rough(engine);
     for (std::size_t level = options.first_level; level < kFractions.size(); ++level)
@@ -66,12 +79,14 @@ Continued continued(FitEngine& engine, const FitUnknowns& unknowns, const FitPoi
                      filtered);
   }
   const auto freed = [&] {
-    return minimise(engine, unknowns, filtered.point, {}, options.most_iterations, context);
+    return minimise_in_time(engine, unknowns, filtered.point, {}, options.most_iterations,
+                            context);
   };
   const auto meets_noise = [&](const FitMinimum& found) {
     return excess_of_noise(engine, unknowns, found) <= options.good;
   };
   FitMinimum best = freed(), last = best;
+  if (!best.in_time) return {std::move(best)};
   for (const double fraction : kFiner) {
     if (meets_noise(best) || !meets_noise(filtered) ||
         !through_filter(engine, unknowns, fraction, false, context, filtered))
@@ -83,6 +98,18 @@ Continued continued(FitEngine& engine, const FitUnknowns& unknowns, const FitPoi
   const bool departs =
       !meets_noise(best) && meets_noise(filtered) && std::isfinite(last.path.cost);
   return {departs ? std::move(last) : std::move(best), departs};
+}
+
+}  // namespace
+
+Continued continued(FitEngine& engine, const FitUnknowns& unknowns, const FitPoint& point,
+                    const FitSearchOptions& options, const RunContext& context) {
+  FitMinimum filtered{point, follow(engine, point, {})};
+  try {
+    return through_filters(engine, unknowns, options, context, filtered);
+  } catch (const OutOfTime&) {
+    return {so_far(engine, unknowns, point, filtered.point)};
+  }
 }
 
 }  // namespace lacuna

@@ -20,7 +20,7 @@ struct Continued {
 /// Fits with filters of falling disturbance, then the free run (see search_fit()). Where that does
 /// not meet the noise and the filter does, with ever smaller disturbances: errors of a chaotic
 /// model grow along a record, and the next free run begins nearer.
-/// @throws OutOfTime past the deadline.
+/// Past the deadline it ends with what it has come to, the minimum not `in_time`.
 Continued continued(FitEngine& engine, const FitUnknowns& unknowns, const FitPoint& point,
                     const FitSearchOptions& options, const RunContext& context);
 

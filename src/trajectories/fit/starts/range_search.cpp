@@ -100,6 +100,7 @@ bool search_ranges(FitEngine& engine, const FitUnknowns& unknowns, const FitPoin
           reweighted(engine, unknowns, std::move(begun[i].minimum), options, context);
       engine.sigma = sigma;
       engine.laws = laws;
+      if (!minimum.in_time) throw OutOfTime();
       deviances.back() = deviance_of(engine, unknowns, minimum);
       found(std::move(minimum));
     }

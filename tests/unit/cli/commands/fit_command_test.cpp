@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <sstream>
+#include <string>
 
+#include "lacuna/diagnose/criterion/options.hpp"
+#include "lacuna/trajectories/fit/fit.hpp"
 #include "unit/cli/commands/records.hpp"
 
 namespace lacuna {
@@ -40,6 +44,23 @@ TEST(FitCommand, FitsWhatIsFree) {
   EXPECT_NEAR(json["parameters"][0]["value"].get<double>(), 1.0, 1e-3);
   EXPECT_NEAR(json["initial"][0]["states"]["v"]["value"].get<double>(), 1.0 / 3.0, 1e-2);
   EXPECT_THAT(records.folder().read("fitted.ode"), HasSubstr("[1/s^2] in 0..100"));
+}
+
+/// The help of a command with single blanks between its words.
+std::string help_of(const std::string& command) {
+  std::istringstream words(run_command({command, "--help-all"}).out);
+  std::string text, word;
+  while (words >> word) text += word + " ";
+  return text;
+}
+
+TEST(FitCommand, HelpSaysTheDefaultsThatAreTaken) {
+  EXPECT_THAT(help_of("fit"),
+              HasSubstr("[default: " + std::to_string(kRangeStarts) + ", with many samples " +
+                        std::to_string(kRangeStartsOfMany) + ","));
+  EXPECT_THAT(help_of("diagnose"),
+              HasSubstr("at most so many effects [default: " +
+                        std::to_string(DecisionOptions{}.max_effects) + "]"));
 }
 
 TEST(FitCommand, BandsAndPredictionsAreInTheAnswer) {

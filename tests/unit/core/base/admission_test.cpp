@@ -92,5 +92,14 @@ TEST(Admission, TheFirstOfTheDoubtsIsTheReasonUnlessTheSearchWasCut) {
             Standing::Incomplete);
 }
 
+TEST(Admission, NothingIsClaimedOnNumbersThatTheRecordsDoNotDetermine) {
+  for (const Claim claim : kAll) {
+    const Admission admission = admit({.claim = claim, .open = {"k1", "k2"}});
+    EXPECT_EQ(admission.standing, Standing::Undetermined);
+    EXPECT_THAT(admission.why, HasSubstr("k1, k2"));
+    EXPECT_EQ(admit({.claim = claim, .shows_opposite = false}).standing, Standing::Undetermined);
+  }
+}
+
 }  // namespace
 }  // namespace lacuna

@@ -27,19 +27,23 @@ FitBands run_of(const std::string& record, Index n) {
           most};
 }
 
-TEST(BandPictures, ShowTheLongestRunMeasuredQuantitiesFirst) {
+/// Three samples of a, a gap, five of b.
+TEST(BandPictures, ShowAllRunsMeasuredQuantitiesFirst) {
   const std::vector<Picture> pictures =
       band_pictures("bands", {run_of("a", 3), run_of("b", 5)}, {}, {}, "s");
   ASSERT_EQ(pictures.size(), 2u);
   EXPECT_EQ(pictures[0].name, "bands_x");
   const auto& figure = std::get<LineFigure>(pictures[0].figure);
   ASSERT_EQ(figure.series.size(), 3u);
-  EXPECT_EQ(figure.series[2].y.size(), 5);
+  ASSERT_EQ(figure.series[2].y.size(), 9);
+  EXPECT_EQ(figure.series[2].y[2], 2.0);
+  EXPECT_TRUE(std::isnan(figure.series[2].y[3]));
+  EXPECT_EQ(figure.series[2].y[8], 2.0);
   EXPECT_EQ(figure.y_label, "x [V]");
   // Both ends of a band, a gap between them.
   EXPECT_NEAR(figure.series[0].y[0], -0.5, 1e-12);
-  EXPECT_TRUE(std::isnan(figure.series[0].y[5]));
-  EXPECT_NEAR(figure.series[0].y[6], 0.5, 1e-12);
+  EXPECT_TRUE(std::isnan(figure.series[0].y[9]));
+  EXPECT_NEAR(figure.series[0].y[10], 0.5, 1e-12);
   EXPECT_NEAR(figure.series[1].y[0], -0.2, 1e-12);
   EXPECT_EQ(std::get<LineFigure>(pictures[1].figure).series.size(), 2u) << "no values of z";
 }

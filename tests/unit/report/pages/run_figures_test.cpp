@@ -6,6 +6,10 @@
 
 #include <cmath>
 #include <map>
+#include <variant>
+
+#include "lacuna/model/files/ode_text.hpp"
+#include "report/pages/pages.hpp"
 
 namespace lacuna {
 namespace {
@@ -132,6 +136,34 @@ TEST(RunFigures, ShortRecordsHaveNoSpectrumAndOneStateNoOrbit) {
   EXPECT_TRUE(spectrum_pictures(view).empty());
   EXPECT_TRUE(orbit_pictures(view).empty());
   EXPECT_TRUE(comparison_pictures({{}, {{"x", ""}}, "s", Vector()}).empty());
+}
+
+/// Two records of two and three samples, with noise in proportion to the value.
+TEST(FitPage, ShowsAllRecordsAndTheNoiseOfTheLaw) {
+  Fit fit{.model = parse_ode_system("param k = 1\ndx/dt = -k*x\ny = x noise proportional\n",
+                                    "m.ode")};
+  FitQuality y;
+  y.channel = "y";
+  y.law = NoiseLaw{.form = NoiseForm::Proportional, .fraction = 0.1};
+  fit.quality = {y};
+  for (const Index n : {2, 3}) {
+    const Matrix values = Matrix::Constant(n, 1, static_cast<double>(n));
+    fit.runs.push_back({"r", Vector::LinSpaced(n, 0.0, 1.0), values, values, Matrix()});
+  }
+  std::map<std::string, LineFigure> figures;
+  for (const PageSection& section : fit_page(fit).sections)
+    for (const Picture& picture : section.pictures)
+      figures.emplace(picture.name, std::get<LineFigure>(picture.figure));
+  const std::vector<Series>& beside = figures.at("comparison_y").series;
+  ASSERT_EQ(beside.back().y.size(), 6);
+  EXPECT_EQ(beside.back().y[1], 2.0);
+  EXPECT_TRUE(std::isnan(beside.back().y[2])) << "a gap between the records";
+  EXPECT_EQ(beside.back().y[5], 3.0);
+  const LineFigure& off = figures.at("deviation_y");
+  EXPECT_FALSE(off.band) << "no level is that of all values";
+  const Series& noise = off.series.back();
+  EXPECT_NEAR(noise.y[0], -1.96 * 0.2, 1e-3);
+  EXPECT_NEAR(noise.y[noise.y.size() - 1], 1.96 * 0.3, 1e-3);
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <cmath>
 
 #include "lacuna/core/statistics/interval.hpp"
@@ -70,6 +71,19 @@ TEST(PopulationFit, OfIndividualsThatAreKnownIsAMeanWithStudentsInterval) {
   const double half = student_quantile_975(5.0) * deviation / std::sqrt(6.0);
   ASSERT_TRUE(s.ci95);
   EXPECT_NEAR(std::log((*s.ci95)[1] / s.value), half, 0.05 * half);
+}
+
+TEST(PopulationFit, LongPastTheDeadlineTheAnswerIsIncompleteAndWhole) {
+  RunContext late;
+  late.deadline = std::chrono::steady_clock::now() - std::chrono::seconds(5);
+  const Fit found = fit(kDecay, decays(8, 3), {}, {}, late);
+  EXPECT_FALSE(found.stages[0].done);
+  EXPECT_EQ(found.stages.back().name, "intervals");
+  EXPECT_FALSE(found.stages.back().done);
+  EXPECT_EQ(standing_of(found).admission.standing, Standing::Incomplete);
+  EXPECT_FALSE(found.numbers[0].ci95) << "nothing was found out about it";
+  EXPECT_TRUE(std::isfinite(found.log_likelihood));
+  EXPECT_NE(format_json(found).find("\"incomplete\""), std::string::npos);
 }
 
 TEST(PopulationFit, AnIndividualThatSaysLittleIsDrawnToTheTypicalOne) {

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+// What a fit claims, and where it sends its user.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/base/random.hpp"
+#include "lacuna/model/files/ode_text.hpp"
+#include "lacuna/trajectories/fit/fit.hpp"
+
+namespace lacuna {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+Fit fit_of_one_number(Adequate fits, bool known) {
+  Fit fit{.model = parse_ode_system("param k = 1\ndx/dt = -k*x\n", "m.ode")};
+  fit.adequacy.fits = fits;
+  fit.numbers = {{.name = "k"}};
+  if (known) fit.numbers[0].ci95 = {{0.9, 1.1}};
+  fit.stages = {{"fit"}, {"starts"}};
+  return fit;
+}
+
+TEST(StandingOf, AFitThatALimitCutIsIncompleteWhereMoreCouldChangeIt) {
+  for (const Adequate fits : {Adequate::No, Adequate::Undetermined, Adequate::Yes}) {
+    Fit fit = fit_of_one_number(fits, true);
+    fit.stages = {{"fit"}, {"starts", false, kTimeIsUp}};
+    const FitStanding cut = standing_of(fit);
+    const bool changes = fits != Adequate::Yes;  // other starts find nothing better than noise
+    EXPECT_EQ(cut.admission.standing == Standing::Incomplete, changes);
+    EXPECT_EQ(cut.is_sound(), !changes);
+    if (changes) EXPECT_THAT(sentence_of(cut), HasSubstr("Incomplete, left out: starts"));
+    fit.stages = {{"fit", false, kTimeIsUp}, {"starts", false, kTimeIsUp}};
+    EXPECT_EQ(standing_of(fit).admission.standing, Standing::Incomplete);
+    EXPECT_FALSE(standing_of(fit).is_sound());
+  }
+}
+
+TEST(StandingOf, NothingIsClaimedOnNumbersThatTheRecordsDoNotDetermine) {
+  for (const Adequate fits : {Adequate::No, Adequate::Yes}) {
+    EXPECT_TRUE(standing_of(fit_of_one_number(fits, true)).admission.stands());
+    const Admission open = standing_of(fit_of_one_number(fits, false)).admission;
+    EXPECT_EQ(open.standing, Standing::Undetermined);
+    EXPECT_THAT(open.why, HasSubstr("do not determine k"));
+  }
+}
+
+/// Two decays beside one another, so many samples of noise 0.002 in each of three records.
+Dataset two_decays(Index samples) {
+  Dataset data{"s", {{"x", ""}}, {}, {}, {}};
+  Random random(5);
+  for (const double size : {1.0, 2.0, 3.0}) {
+    Vector time(samples);
+    Matrix values(samples, 1);
+    for (Index i = 0; i < samples; ++i) {
+      time[i] = 10.0 * static_cast<double>(i) / static_cast<double>(samples);
+      values(i, 0) = size * (std::exp(-time[i]) + 0.3 * std::exp(-0.1 * time[i])) +
+                     0.002 * random.normal();
+    }
+    data.trajectories.push_back({"r", time, values, Matrix(samples, 0), Matrix()});
+  }
+  return data;
+}
+
+/// What a fit of one decay to them notes. @param event a statement of the model.
+std::string notes_of_one_decay(Index samples, const std::string& event = "") {
+  const SystemModel one =
+      parse_ode_system("param k = 0.5 in 0.01..10\ndx/dt = -k*x\n" + event, "one.ode");
+  const Fit found = fit(one, two_decays(samples), {});
+  EXPECT_EQ(found.adequacy.fits, Adequate::No);
+  std::string notes;
+  for (const std::string& note : found.notes) notes += note + "\n";
+  return notes;
+}
+
+TEST(FitNotes, SendNobodyToADiagnosisThatRefuses) {
+  EXPECT_THAT(notes_of_one_decay(40), HasSubstr("see `lacuna diagnose`"));
+  for (const std::string& notes :
+       {notes_of_one_decay(15), notes_of_one_decay(40, "at 20: x += 1\n")}) {
+    EXPECT_THAT(notes, HasSubstr("`lacuna fit ONE.ode TWO.ode DATA` compares structures"));
+    EXPECT_THAT(notes, Not(HasSubstr("lacuna diagnose")));
+  }
+}
+
+}  // namespace
+}  // namespace lacuna
