@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "dynamics/integration/automatic.hpp"
+#include "lacuna/dynamics/integration/automatic.hpp"
 #include "lacuna/dynamics/integration/cvode.hpp"
 #include "lacuna/dynamics/integration/runge_kutta.hpp"
 #include "lacuna/dynamics/integration/simulate.hpp"

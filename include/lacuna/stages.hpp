@@ -25,6 +25,7 @@
 #include "lacuna/diagnose/criterion/criterion.hpp"
 #include "lacuna/diagnose/criterion/extended_bic.hpp"
 #include "lacuna/diagnose/hypotheses/hypothesis.hpp"
+#include "lacuna/dynamics/integration/automatic.hpp"
 #include "lacuna/dynamics/integration/cvode.hpp"
 #include "lacuna/dynamics/integration/integrator.hpp"
 #include "lacuna/dynamics/integration/runge_kutta.hpp"

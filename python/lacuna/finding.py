@@ -50,7 +50,7 @@ def identify(
     constraints: Texts = None,
     hidden: int | None = None,
     discrete: bool = False,
-    integrator: str = "rk4",
+    integrator: str = "auto",
     options: Mapping[str, Any] | None = None,
     memory: int = 0,
     effort: str | None = None,

@@ -30,7 +30,7 @@ def sync(
     u: Any = None,
     *,
     coupling: Mapping[str, float] | None = None,
-    integrator: str = "rk4",
+    integrator: str = "auto",
     differentiator: str = "finite-differences",
     threads: int | None = None,
     progress: Progress = False,

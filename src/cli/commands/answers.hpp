@@ -35,7 +35,7 @@ struct IdentifyRequest {
   std::vector<std::string> assignments = {}, equations = {}, added = {}, constraints = {};
   bool discrete = false;
   Thoroughness effort = Thoroughness::Normal;
-  std::string integrator = "rk4";
+  std::string integrator = "auto";
   std::uint64_t memory = 0;                        ///< bytes; 0: as much as there is
   std::optional<Stage<Basis>> basis = {};          ///< in no registry, for that of the pipeline
   std::optional<Stage<Regressor>> regressor = {};  ///< likewise
@@ -105,7 +105,7 @@ struct SyncRequest {
   ModelSource model = {};
   DataOptions data = {};
   std::string coupling = {};
-  std::string integrator = "rk4";
+  std::string integrator = "auto";
   std::string differentiator = "finite-differences";
 };
 

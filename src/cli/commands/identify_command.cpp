@@ -183,22 +183,18 @@ std::string overridden_choices(const IdentificationTask& task,
          " seldom shows in the model: --set refiner=none shows it, `lacuna bench` compares parts";
 }
 
-/// What is shown of an identification.
-IdentificationReport report_of(Identification& found, const IdentificationTask& task,
-                               const Configuration& configuration) {
-  IdentificationReport report{std::move(found.result), task.pipeline, configuration.text()};
-  if (std::string note = overridden_choices(task, configuration); !note.empty())
-    report.result.warnings.push_back(std::move(note));
-  if (found.verification) {
-    const Dataset& data = found.records.excerpt();
-    report.sync = SyncReport{std::move(found.verification->result),
-                             data.states,
-                             data.time_unit,
-                             false,
-                             std::move(found.verification->integrator),
-                             std::move(found.verification->verdict)};
-  }
-  return report;
+/// Models of other structure, as long as there is time.
+void add_alternatives(const IdentifyRequest& request, const IdentificationTask& task,
+                      const RecordStream& records, IdentificationReport& report,
+                      const RunContext& context) {
+  if (!request.alternatives) return;
+  run_stage(report.result.stages, kAlternativesStage, [&] {
+    report.alternatives = find_alternatives(
+        records, report.result, task.pipeline,
+        {.count = static_cast<std::size_t>(*request.alternatives),
+         .validation = task.options.validation},
+        context);
+  });
 }
 
 void check_request(const IdentifyRequest& request) {
@@ -265,14 +261,13 @@ IdentifyAnswer answer(const Registry& registry, const IdentifyRequest& request,
   IdentificationTask task = task_of(registry, request, configuration);
   task.first_answer = std::move(first);
   Identification found = read_and_identify(request, task, context);
-  IdentificationReport report = report_of(found, task, configuration);
-  if (request.alternatives && context.leads())
-    report.alternatives = find_alternatives(
-        found.records, report.result, task.pipeline,
-        {.count = static_cast<std::size_t>(*request.alternatives),
-         .validation = task.options.validation},
-        context.alone());
-  return {std::move(report), std::move(found.records)};
+  if (std::string note = overridden_choices(task, configuration); !note.empty())
+    found.result.warnings.push_back(std::move(note));
+  RecordStream records = found.records;
+  IdentificationReport report =
+      report_of(std::move(found), task.pipeline, configuration.text());
+  if (context.leads()) add_alternatives(request, task, records, report, context.alone());
+  return {std::move(report), std::move(records)};
 }
 
 std::string text_of(const IdentifyAnswer& answer, const TextOptions& options) {

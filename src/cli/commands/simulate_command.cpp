@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <memory>
 
 #include "answers.hpp"
@@ -12,6 +13,7 @@
 #include "lacuna/data/formats/write.hpp"
 #include "lacuna/dynamics/integration/record_input.hpp"
 #include "lacuna/dynamics/integration/simulate.hpp"
+#include "lacuna/dynamics/test_systems/test_systems.hpp"
 #include "lacuna/records/binding/read_records.hpp"
 #include "model/equations/output_values.hpp"
 #include "records/channels/shown_holds.hpp"
@@ -41,8 +43,20 @@ Vector parse_start(const OdeModel& model, const std::string& text) {
   return start;
 }
 
-/// The initial values that the model itself has.
-Vector initial_values(const OdeModel& model) {
+/// Where a test system starts; null for a model of a file.
+const Vector* start_of_test_system(const ModelSource& source) {
+  std::error_code unreadable;
+  if (source.given || std::filesystem::exists(source.path, unreadable)) return nullptr;
+  const std::vector<TestSystem>& all = test_systems();
+  const auto found = std::find_if(all.begin(), all.end(), [&](const TestSystem& system) {
+    return system.name == source.path;
+  });
+  return found == all.end() ? nullptr : &found->start;
+}
+
+/// The initial values that the model itself has, or those of the test system that it is.
+Vector initial_values(const OdeModel& model, const ModelSource& source) {
+  if (const Vector* known = start_of_test_system(source)) return *known;
   Vector start(model.dimension());
   std::vector<std::string> without;
   for (Index k = 0; k < model.dimension(); ++k) {
@@ -178,7 +192,7 @@ Run run_from(const Vector& start, const Vector& times, const OdeModel& model,
 Run run(const OdeModel& model, const Integrator& integrator, const SimulateRequest& options,
         const RunContext& context) {
   const bool own = options.x0.empty();
-  const Vector start = own ? initial_values(model) : parse_start(model, options.x0);
+  const Vector start = own ? initial_values(model, options.model) : parse_start(model, options.x0);
   const std::optional<double> begin = own ? model.initial_time() : std::nullopt;
   std::optional<Dataset> record;
   if (!model.inputs().empty()) record = input_records(model, options);
@@ -284,7 +298,8 @@ void declare_options(CLI::App& app, SimulateArguments& options) {
   app.add_option("MODEL", options.model.path, "Model file, or the name of a test system")
       ->required();
   app.add_option("--x0", options.x0,
-                 "Start: one number per state, in the order of the model; else its `initial`")
+                 "Start: one number per state, in the order of the model; else its `initial`, of a "
+                 "test system its own")
       ->type_name("v1,v2,...");
   app.add_option("--t-start", options.t_start,
                  "First time, in the model's time unit; else that of the initial values, that of "

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "lacuna/core/base/admission.hpp"
 
+#include <string>
+
 #include "core/base/text.hpp"
 
 namespace lacuna {
@@ -48,11 +50,24 @@ Admission not_shown(const VerdictBasis& basis) {
           "give more samples"};
 }
 
+Admission few_runs_started(const VerdictBasis& basis) {
+  if (basis.unstarted == 0 || 2 * basis.unstarted < basis.windows) return {};
+  return {Standing::Undetermined,
+          "in " + std::to_string(basis.unstarted) + " of " + std::to_string(basis.windows) +
+              " windows no run of the model was found that begins near the samples",
+          "use records with less noise or more of the states"};
+}
+
+Admission left_in_doubt(const VerdictBasis& basis) {
+  if (basis.doubts.empty()) return {};
+  return {Standing::Undetermined, basis.doubts.front().why, basis.doubts.front().remedy};
+}
+
 }  // namespace
 
 Admission admit(const VerdictBasis& basis) {
   for (const auto refusal : {cut_search, nothing_moves, slow_noise, nothing_to_point_at,
-                             open_numbers, not_shown})
+                             open_numbers, not_shown, few_runs_started, left_in_doubt})
     if (Admission refused = refusal(basis); !refused.stands()) return refused;
   return {};
 }

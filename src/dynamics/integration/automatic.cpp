@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "dynamics/integration/automatic.hpp"
+#include "lacuna/dynamics/integration/automatic.hpp"
 
 #include <algorithm>
 #include <utility>

@@ -102,26 +102,38 @@ class Slave {
   bool fresh_ = false;
 };
 
-/// @param seen 1 for the states whose errors count.
-SlaveRun follow(Slave& slave, const Trajectory& record, const Integrator& integrator,
-                const Vector& start, const Vector& seen, const RunContext& context) {
+/// To the end of an interval, in as many steps as a task asks for.
+IntegrationStatus advance(Slave& slave, Stepper& stepper, double end, int parts,
+                          SlaveRun& run) {
+  const double begin = run.end_time;
+  for (int part = 1; part <= parts; ++part) {
+    const double next = part < parts ? begin + (end - begin) * part / parts : end;
+    const IntegrationStatus status =
+        stepper.advance(slave, run.end_time, next, run.end_state.data());
+    if (status != IntegrationStatus::Completed) return status;
+  }
+  return IntegrationStatus::Completed;
+}
+
+SlaveRun follow(Slave& slave, const Trajectory& record, const SlaveTask& task,
+                const Vector& start) {
   SlaveRun run{.errors = Vector(record.samples()),
                .states = Matrix(record.samples(), start.size()),
                .end_time = record.time[0],
                .end_state = start};
-  const std::unique_ptr<Stepper> stepper = integrator.make_stepper(start.size());
+  const std::unique_ptr<Stepper> stepper = task.integrator.make_stepper(start.size());
   const auto keep = [&](Index n) {
     run.states.row(n) = run.end_state.transpose();
-    run.errors[n] = ((run.states.row(n) - record.states.row(n)) * seen.asDiagonal()).norm();
+    run.errors[n] =
+        ((run.states.row(n) - record.states.row(n)) * task.seen.asDiagonal()).norm();
   };
   keep(0);
   for (Index n = 0; n + 1 < record.samples(); ++n) {
     if (n % 4096 == 0)
-      context.report("synchronising",
-                     static_cast<double>(n) / static_cast<double>(record.samples()));
+      task.context.report("synchronising",
+                          static_cast<double>(n) / static_cast<double>(record.samples()));
     slave.start_interval(n);
-    run.status =
-        stepper->advance(slave, run.end_time, record.time[n + 1], run.end_state.data());
+    run.status = advance(slave, *stepper, record.time[n + 1], task.parts, run);
     if (run.status != IntegrationStatus::Completed) {
       run.errors.conservativeResize(n + 1);
       run.states.conservativeResize(n + 1, Eigen::NoChange);
@@ -142,7 +154,7 @@ Vector start_of(const SlaveTask& task, const Trajectory& trajectory) {
 
 SlaveRun run_slave(const SlaveTask& task, const Trajectory& trajectory, const Vector& start) {
   Slave slave(task.model, task.coupling, trajectory, task.window);
-  return follow(slave, trajectory, task.integrator, start, task.seen, task.context);
+  return follow(slave, trajectory, task, start);
 }
 
 }  // namespace lacuna

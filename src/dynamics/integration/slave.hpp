@@ -20,6 +20,7 @@ struct SlaveTask {
   const std::optional<Vector>& start;
   const Vector& seen;  ///< m: 1 for the states that the record shows, else 0
   const RunContext& context;
+  int parts = 1;  ///< of a sampling interval, equal; in each the integrator advances once
 };
 
 /// One slave along one trajectory.
@@ -35,7 +36,7 @@ struct SlaveRun {
 /// model says.
 Vector start_of(const SlaveTask& task, const Trajectory& trajectory);
 
-/// Integrates dx_s/dt = f(t, x_s) - K (x_s - x_m(t)) along a trajectory, one step a sample.
+/// Integrates dx_s/dt = f(t, x_s) - K (x_s - x_m(t)) along a trajectory.
 SlaveRun run_slave(const SlaveTask& task, const Trajectory& trajectory, const Vector& start);
 
 }  // namespace lacuna

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/base/random.hpp"
+#include "lacuna/dynamics/integration/runge_kutta.hpp"
 #include "sync_errors.hpp"
 
 namespace lacuna {
@@ -48,6 +49,34 @@ double conditional_exponent(const SlaveTask& task, const Trajectory& record,
   while (n + 1 < distance.size() && distance[n] > kResolved * distance[0]) ++n;
   return std::log(std::max(distance[n], 1e-300) / distance[0]) /
          (record.time[n] - record.time[0]);
+}
+
+std::vector<Matrix> step_errors(const SlaveTask& task, const Dataset& record,
+                                const SyncResult& result) {
+  SlaveTask finer = task;
+  finer.parts = 2 * task.parts;
+  finer.window = LagrangeWindow::centred(task.integrator.order() / 2 * 2 + 2);
+  std::vector<Matrix> errors;
+  for (std::size_t r = 0; r < record.trajectories.size(); ++r) {
+    const Trajectory& trajectory = record.trajectories[r];
+    if (trajectory.samples() < finer.window.points) return {};
+    const SlaveRun run = run_slave(finer, trajectory, start_of(finer, trajectory));
+    if (run.status != IntegrationStatus::Completed) return {};
+    errors.emplace_back(result.states[r] - run.states);
+  }
+  return errors;
+}
+
+bool is_faster_than_samples(const SlaveTask& task, const Dataset& record) {
+  const Rk4 steps;
+  const SlaveTask fixed{task.model, task.coupling, steps,       task.window,
+                        task.start, task.seen,     task.context};
+  return std::any_of(
+      record.trajectories.begin(), record.trajectories.end(),
+      [&](const Trajectory& trajectory) {
+        return run_slave(fixed, trajectory, start_of(fixed, trajectory)).status !=
+               IntegrationStatus::Completed;
+      });
 }
 
 }  // namespace lacuna

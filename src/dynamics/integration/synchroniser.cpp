@@ -7,7 +7,7 @@
 #include "core/numerics/lagrange.hpp"
 #include "data/records/known_noise.hpp"
 #include "data/records/number_range.hpp"
-#include "dynamics/integration/automatic.hpp"
+#include "lacuna/dynamics/integration/automatic.hpp"
 #include "lacuna/records/binding/model_view.hpp"
 #include "slave.hpp"
 #include "slave_probes.hpp"
@@ -77,7 +77,8 @@ void check_delays(const OdeModel& model, const Vector& seen) {
 
 std::string divergence_message(const Trajectory& trajectory, const SlaveRun& run,
                                const OdeModel& model, const std::string& time_unit) {
-  return trajectory.source + ": the slave " +
+  const bool is_stuck = run.status == IntegrationStatus::StepTooSmall;
+  return trajectory.source + ": the slave " + (is_stuck ? "cannot go on, " : "") +
          end_message(run.status, run.end_time, run.end_state, names_of(model.states()),
                      time_unit);
 }
@@ -100,6 +101,8 @@ SyncResult driven(const SlaveTask& task, const Dataset& view, const Vector& nois
   result.settled = has_settled(view, result);
   result.response = response_to_noise(task, view, result);
   result.error_over_noise = error_over_noise(view, result);
+  if (result.status == IntegrationStatus::Completed && task.integrator.has_fixed_steps())
+    result.step_errors = step_errors(task, view, result);
   if (task.seen.minCoeff() == 0.0)
     result.conditional_exponent = conditional_exponent(task, view.trajectories.front(), result);
   return result;
@@ -156,9 +159,12 @@ SyncResult synchronise(const OdeModel& model, const Dataset& record,
   check_delays(model, seen);
   const Matrix coupling = coupling_of(model, view, seen, options.coupling);
   const Vector noise = noise_in(view, record, options.noise);
-  SyncResult result =
-      driven({model, coupling, integrator, window, options.start, seen, context}, view, noise);
-  if (result.status == IntegrationStatus::Completed) return result;
+  const SlaveTask task{model, coupling, integrator, window, options.start, seen, context};
+  SyncResult result = driven(task, view, noise);
+  if (result.status == IntegrationStatus::Completed) {
+    result.stiff = !integrator.has_fixed_steps() && is_faster_than_samples(task, view);
+    return result;
+  }
   const Automatic adaptive(stiff_steps(view));
   SyncResult finer =
       driven({model, coupling, adaptive, window, options.start, seen, context}, view, noise);

@@ -11,6 +11,7 @@
 #include "extended_pipeline.hpp"
 #include "identify/forms_beside/function_forms.hpp"
 #include "identify/forms_beside/missing_forms.hpp"
+#include "identify/pipeline/given_rates.hpp"
 #include "product_forms.hpp"
 
 namespace lacuna {
@@ -72,8 +73,7 @@ struct FormsTask {
 
   /// A fraction of a rate that is no form: errors of solvers, of measured rates rounding.
   double negligible() const {
-    constexpr double kRounding = 1e-8;  // a fact of rounding of measured rates
-    return data.has_derivatives() ? kRounding : options.worth_asking;
+    return data.has_derivatives() ? kRoundingOfRates : options.worth_asking;
   }
 
   /// @param part of the search, from 0 to 1, that begins with an equation.

@@ -7,7 +7,7 @@
 #include "centred_library.hpp"
 #include "data/records/known_noise.hpp"
 #include "distinct_powers.hpp"
-#include "dynamics/integration/automatic.hpp"
+#include "lacuna/dynamics/integration/automatic.hpp"
 #include "identify/forms_beside/identify_with_forms.hpp"
 #include "identify/hidden_state/identify_hidden.hpp"
 #include "identify/validation/validate.hpp"
@@ -109,7 +109,8 @@ std::optional<Verification> verify(const IdentificationTask& task, Identificatio
     found.warnings.push_back("synchronisation with the record did not settle");
   SyncVerdict verdict =
       beside(found.adequacy, judge(found.model, driving, sync, task.options.sync));
-  const StageInfo& method = sync.stiff ? AutomaticOptions::kInfo : integrator.info();
+  const bool adapted = sync.stiff && integrator.has_fixed_steps();
+  const StageInfo& method = adapted ? AutomaticOptions::kInfo : integrator.info();
   return Verification{std::move(sync), std::move(verdict), std::string(method.name)};
 }
 

@@ -13,6 +13,7 @@
 #include "data/records/number_range.hpp"
 #include "equation_problem.hpp"
 #include "fit_doubts.hpp"
+#include "given_rates.hpp"
 #include "hurried_terms.hpp"
 #include "lacuna/core/statistics/interval.hpp"
 #include "lacuna/identify/pipeline/presets.hpp"
@@ -207,7 +208,9 @@ EquationOutcome outcome_of(const Run& run, Index state) {
 void note_noise_floors(const Run& run, IdentificationResult& result) {
   if (result.model.is_map()) return;
   const std::optional<Vector> floor =
-      run.pipeline.formulation->target_noise(run.data, result.noise);
+      has_given_rates(run.data)
+          ? noise_of_given_rates(result.model, run.data, result.noise)
+          : run.pipeline.formulation->target_noise(run.data, result.noise);
   for (std::size_t k = 0; k < result.fit.size() && floor; ++k)
     if (!result.fit[k].identity) result.fit[k].noise_floor = (*floor)[static_cast<Index>(k)];
 }
@@ -282,6 +285,7 @@ double farthest(const IdentificationResult& result) {
 void refine_result(const Run& run, const EquationLibraries& libraries,
                    IdentificationResult& result) {
   IdentificationResult refined = result;
+  if (run.pipeline.start) refined.model = *run.pipeline.start;
   if (apply_refiner(*run.pipeline.refiner, {run.data, run.analysed}, libraries, refined,
                     run.refining.alone())) {
     measure_residuals(run, refined);

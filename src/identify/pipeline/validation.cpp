@@ -14,9 +14,12 @@ std::string to_string(ValidationVerdict verdict) {
       return "approximation";
     case ValidationVerdict::WrongLibrary:
       return "wrong library";
-    default:
-      return "cannot tell";
+    case ValidationVerdict::Incomplete:
+      return "incomplete";
+    case ValidationVerdict::Undecided:
+      break;
   }
+  return "cannot tell";
 }
 
 double PredictionError::fraction() const {

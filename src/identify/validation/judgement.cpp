@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "core/base/text.hpp"
+#include "lacuna/core/base/admission.hpp"
 
 namespace lacuna {
 namespace {
@@ -124,19 +125,6 @@ std::vector<AdequacyPart> parts_of(const Validation& validation,
   return parts;
 }
 
-Adequate whole_of(ValidationVerdict verdict) {
-  switch (verdict) {
-    case ValidationVerdict::FitsToNoise:
-      return Adequate::Yes;
-    case ValidationVerdict::Approximation:
-    case ValidationVerdict::WrongLibrary:
-      return Adequate::No;
-    case ValidationVerdict::Undecided:
-      break;
-  }
-  return Adequate::Undetermined;
-}
-
 std::string percent(double fraction) {
   return format_number(100.0 * fraction, fraction < 0.995 ? 2 : 3) + " %";
 }
@@ -168,54 +156,99 @@ std::string numbers_of(const Validation& validation, const ValidationOptions& op
   return text;
 }
 
-void leave_undecided(const std::string& why, Validation& validation) {
-  validation.verdict = ValidationVerdict::Undecided;
-  validation.sentence = "Undecided whether the model holds: " + why + ".";
-}
+/// What the numbers say of a model, before it is asked whether that may be said.
+struct Opinion {
+  ValidationVerdict verdict = ValidationVerdict::Undecided;
+  std::string begin = {};    ///< of the sentence
+  std::string numbers = {};  ///< with what belongs to them
+  Adequate whole = Adequate::Undetermined;
+  std::vector<Doubt> doubts = {};  ///< why records show nothing
+};
 
-void judge_numbers(const Findings& found, const ValidationOptions& options,
-                   Validation& validation) {
+Opinion in_doubt(const std::string& why) { return {.doubts = {{why}}}; }
+
+Opinion opinion_of(const Findings& found, const ValidationOptions& options,
+                   const Validation& validation) {
   const std::string numbers = numbers_of(validation, options);
-  if (found.above > 0 && found.fraction > options.wrong_fraction) {
-    validation.verdict = ValidationVerdict::WrongLibrary;
-    validation.sentence =
-        "Wrong library: these terms cannot describe the record; " + numbers + ".";
-  } else if (found.above > 0) {
-    validation.verdict = ValidationVerdict::Approximation;
-    validation.sentence = "An approximation: " + numbers + ".";
-  } else if (found.within + found.hidden == 0) {
-    leave_undecided("nothing in the samples held out moves beyond their noise", validation);
-  } else if (found.hidden > 0) {
-    leave_undecided("how large the noise of the samples is they do not show; " + numbers,
-                    validation);
-  } else if (!validation.given && !validation.refitted) {
-    leave_undecided("no part of the record could be held out; on what was fitted, " + numbers,
-                    validation);
-  } else {
-    validation.verdict = ValidationVerdict::FitsToNoise;
-    validation.sentence = "Fits to the noise: " + numbers + ".";
-  }
+  if (found.above > 0 && found.fraction > options.wrong_fraction)
+    return {ValidationVerdict::WrongLibrary, "Wrong library",
+            "these terms cannot describe the record; " + numbers, Adequate::No};
+  if (found.above > 0)
+    return {ValidationVerdict::Approximation, "An approximation", numbers, Adequate::No};
+  if (found.within + found.hidden == 0)
+    return in_doubt("nothing in the samples held out moves beyond their noise");
+  if (found.hidden > 0)
+    return in_doubt("how large the noise of the samples is they do not show; " + numbers);
+  if (!validation.given && !validation.refitted)
+    return in_doubt("no part of the record could be held out; on what was fitted, " + numbers);
+  return {ValidationVerdict::FitsToNoise, "Fits to the noise", numbers, Adequate::Yes};
 }
 
-void decide(const ValidationOptions& options, bool lost, Validation& validation) {
-  if (lost) {
-    validation.verdict = ValidationVerdict::WrongLibrary;
-    validation.sentence = "Wrong library: in most windows the model has no finite solution.";
-    return;
-  }
+Opinion opinion_of(const ValidationOptions& options, bool lost, const Validation& validation) {
+  if (lost)
+    return {ValidationVerdict::WrongLibrary, "Wrong library",
+            "in most windows the model has no finite solution", Adequate::No};
   if (!says_something(validation.one_step, options) &&
       !says_something(validation.windows, options))
-    return leave_undecided(
-        "only " + std::to_string(validation.samples) + " samples are held out", validation);
-  judge_numbers(findings_in(validation, options), options, validation);
+    return in_doubt("only " + std::to_string(validation.samples) + " samples are held out");
+  return opinion_of(findings_in(validation, options), options, validation);
+}
+
+/// Those of a search that could change a verdict: none where the model fits. What a quick run
+/// leaves out nobody expects of it; that no terms would do is a claim about all that are known.
+std::vector<StageDone> deciding(std::vector<StageDone> stages, ValidationVerdict verdict) {
+  if (verdict != ValidationVerdict::Approximation && verdict != ValidationVerdict::WrongLibrary)
+    return {};
+  if (verdict != ValidationVerdict::WrongLibrary)
+    std::erase_if(stages, [](const StageDone& stage) { return stage.why == kIsQuick; });
+  return stages;
+}
+
+Admission admission_of(const Opinion& opinion, const std::vector<StageDone>& stages,
+                       const Validation& validation) {
+  const bool fits = opinion.verdict == ValidationVerdict::FitsToNoise;
+  // The test that has more windows in which no run began.
+  const auto failing = [](const PredictionTest& test) {
+    return test.windows > 0
+               ? static_cast<double>(test.unstarted) / static_cast<double>(test.windows)
+               : 0.0;
+  };
+  const PredictionTest& test = failing(validation.windows) >= failing(validation.one_step)
+                                   ? validation.windows
+                                   : validation.one_step;
+  return admit({.claim = fits ? Claim::Fits : Claim::WrongStructure,
+                .stages = deciding(stages, opinion.verdict),
+                .windows = test.windows,
+                .unstarted = test.unstarted,
+                .doubts = opinion.doubts});
 }
 
 }  // namespace
 
-void judge(const ValidationOptions& options, Validation& validation) {
+void judge(const ValidationOptions& options, Validation& validation,
+           const std::vector<StageDone>& stages) {
   const bool lost = is_lost(validation.one_step) || is_lost(validation.windows);
-  decide(options, lost, validation);
-  validation.adequacy = {whole_of(validation.verdict), parts_of(validation, options, lost)};
+  const Opinion opinion = opinion_of(options, lost, validation);
+  const Admission admission = admission_of(opinion, stages, validation);
+  Adequate whole = opinion.whole;
+  switch (admission.standing) {
+    case Standing::Stands:
+      validation.verdict = opinion.verdict;
+      validation.sentence = opinion.begin + ": " + opinion.numbers + ".";
+      break;
+    case Standing::Incomplete:
+      validation.verdict = ValidationVerdict::Incomplete;
+      validation.sentence = "Incomplete: " + admission.why + "; " + admission.remedy +
+                            "; by now " + opinion.numbers + ".";
+      break;
+    case Standing::Undetermined:
+      whole = Adequate::Undetermined;
+      validation.verdict = ValidationVerdict::Undecided;
+      validation.sentence = "Undecided whether the model holds: " + admission.why +
+                            (admission.remedy.empty() ? "" : "; " + admission.remedy) + ".";
+      break;
+  }
+  validation.adequacy = {whole, parts_of(validation, options, lost)};
 }
 
 }  // namespace lacuna

@@ -171,7 +171,7 @@ PredictionTest predict_map(const OdeModel& model, const Dataset& data,
                            const std::vector<Block>& blocks, Index steps,
                            const ValidationOptions& options) {
   const Predictions all = predictions_of(model, data, starts_of(data, blocks, steps), steps);
-  PredictionTest test{static_cast<double>(steps), 0, 0, {}};
+  PredictionTest test{.horizon = static_cast<double>(steps)};
   Means means(model.dimension());
   for (Index i = 0; i < all.starts.rows(); ++i) {
     if (!all.held[static_cast<std::size_t>(i)]) continue;

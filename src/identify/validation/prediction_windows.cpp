@@ -9,6 +9,9 @@
 #include <vector>
 
 #include "core/numerics/qr.hpp"
+#include "lacuna/dynamics/integration/automatic.hpp"
+#include "lacuna/dynamics/integration/record_input.hpp"
+#include "lacuna/dynamics/integration/simulate.hpp"
 #include "lacuna/trajectories/sensitivities/linearised_record.hpp"
 
 namespace lacuna {
@@ -113,18 +116,18 @@ std::optional<WindowSolution> solve(const PredictedRecord& record,
 
 /// How exact steps have to be: small against what samples deviate by, and against what a state
 /// moves that is not measured.
-Vector accuracy_for(const PredictedRecord& record) {
+Vector accuracy_for(const PredictedRecord& record, const Matrix& path) {
   // Facts: what steps need not be more exact than is no error beside noise and motion.
   constexpr double kFractionOfDeviation = 0.02, kFractionOfMotion = 1e-4, kRounding = 1e-13;
-  const Index steps = record.path.rows() - 1;
-  const Matrix moves = record.path.bottomRows(steps) - record.path.topRows(steps);
-  Vector accuracy(record.path.cols());
+  const Index steps = path.rows() - 1;
+  const Matrix moves = path.bottomRows(steps) - path.topRows(steps);
+  Vector accuracy(path.cols());
   for (Index k = 0; k < accuracy.size(); ++k) {
     const double most = record.deviations.col(k).maxCoeff();
     const double wanted = most > 0.0 ? kFractionOfDeviation * most
                                      : kFractionOfMotion * moves.col(k).norm() /
                                            std::sqrt(static_cast<double>(steps));
-    accuracy[k] = std::max({wanted, kRounding * record.path.col(k).cwiseAbs().maxCoeff(),
+    accuracy[k] = std::max({wanted, kRounding * path.col(k).cwiseAbs().maxCoeff(),
                             std::numeric_limits<double>::min()});
   }
   return accuracy;
@@ -136,6 +139,14 @@ bool is_bridged(const LinearisedRecord& record, const Window& window) {
          (record.bridge.middleCols(window.first, window.length - 1).array() > 0.0).any();
 }
 
+/// The model from the path's first state in a window on, without a fit.
+Solution run_in(const OdeModel& model, const PredictedRecord& record, const Window& window) {
+  const Vector start = record.path.row(window.first).transpose();
+  RecordInput inputs(record.samples, model.inputs());
+  return simulate({model, inputs, inputs.breaks()}, Automatic(), start,
+                  record.samples.time.segment(window.first, window.length));
+}
+
 }  // namespace
 
 void WindowResiduals::add(const WindowResiduals& other) {
@@ -145,17 +156,17 @@ void WindowResiduals::add(const WindowResiduals& other) {
   neighbours += other.neighbours;
   windows += other.windows;
   lost += other.lost;
+  unstarted += other.unstarted;
 }
 
 WindowResiduals predict(const OdeModel& model, const PredictedRecord& record, Index length,
                         int passes) {
-  const Vector accuracy = accuracy_for(record);
   Matrix path = record.path;
   WindowResiduals sums(path.cols());
   for (int pass = 0; pass < passes; ++pass) {
     sums = WindowResiduals(path.cols());
-    const LinearisedRecord linear = linearise(model, record.samples, path, accuracy);
-    // Where a window has no solution the next pass begins again at what was given.
+    const LinearisedRecord linear =
+        linearise(model, record.samples, path, accuracy_for(record, path));
     Matrix next = record.path;
     for (Index first = 0; first + length <= linear.samples(); first += length) {
       const Window window{first, length};
@@ -163,7 +174,10 @@ WindowResiduals predict(const OdeModel& model, const PredictedRecord& record, In
       ++sums.windows;
       const std::optional<WindowSolution> solution = solve(record, linear, window);
       if (!solution) {
-        ++sums.lost;
+        const Solution own = run_in(model, record, window);
+        const bool is_lost = own.status != IntegrationStatus::Completed;
+        ++(is_lost ? sums.lost : sums.unstarted);
+        if (!is_lost) next.middleRows(first, length) = own.states;
         continue;
       }
       next.middleRows(first, length) = path.middleRows(first, length) + solution->deviation;

@@ -21,7 +21,8 @@ struct WindowResiduals {
   Vector expected;  ///< m: the squares that deviations make: sum of deviation^2 (1 - leverage)
   Vector neighbours;  ///< m: sum of r_i r_(i+1) within windows
   Index windows = 0;
-  Index lost = 0;  ///< windows without a finite solution
+  Index lost = 0;       ///< windows without a finite solution
+  Index unstarted = 0;  ///< windows with one, in which none was found that fits
 
   explicit WindowResiduals(Index states)
       : squares(Vector::Zero(states)),
@@ -36,6 +37,10 @@ struct WindowResiduals {
 /// linearised about the path and about its own solutions, `passes` times in all. With D_i the
 /// derivative of x_i with respect to the initial state, the leverage of a sample is its
 /// diagonal entry of D (D'D)^-1 D' (rows over their deviations).
+/// Where that problem has no finite solution the model is run from the path's first state in
+/// the window: where this run is finite the next pass begins at it, and after the last pass the
+/// window counts as `unstarted`; else the model has no solution there, and the window is
+/// `lost`.
 /// @param length samples of a window, at least 2; the rest behind the last is not used.
 WindowResiduals predict(const OdeModel& model, const PredictedRecord& record, Index length,
                         int passes);

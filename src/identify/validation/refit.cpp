@@ -56,18 +56,15 @@ bool have_same_terms(const OdeModel& a, const OdeModel& b) {
   return true;
 }
 
-}  // namespace
-
-std::optional<IdentificationResult> refitted_result_on(const Dataset& data,
-                                                       const OdeModel& model,
-                                                       const Pipeline& pipeline,
-                                                       const RunContext& context) {
+/// The terms of a model with the coefficients that these stages fit; none where one is lost.
+std::optional<IdentificationResult> fitted_by(const Pipeline& fitting, const Dataset& data,
+                                              const OdeModel& model,
+                                              const RunContext& context) {
   for (Index k = 0; k < model.dimension(); ++k)
     if (!data.rate_state(k) && model.equations()[static_cast<std::size_t>(k)].empty())
       return std::nullopt;
   try {
-    IdentificationResult fitted =
-        identify(data, fitting_stages(pipeline, data, model), context);
+    IdentificationResult fitted = identify(data, fitting, context);
     if (!have_same_terms(model, fitted.model)) return std::nullopt;
     return fitted;
   } catch (const DataError&) {
@@ -75,9 +72,20 @@ std::optional<IdentificationResult> refitted_result_on(const Dataset& data,
   }
 }
 
+}  // namespace
+
+std::optional<IdentificationResult> refitted_result_on(const Dataset& data,
+                                                       const OdeModel& model,
+                                                       const Pipeline& pipeline,
+                                                       const RunContext& context) {
+  return fitted_by(fitting_stages(pipeline, data, model), data, model, context);
+}
+
 std::optional<OdeModel> refitted_on(const Dataset& data, const OdeModel& model,
                                     const Pipeline& pipeline, const RunContext& context) {
-  auto fitted = refitted_result_on(data, model, pipeline, context);
+  Pipeline fitting = fitting_stages(pipeline, data, model);
+  fitting.start = model;
+  auto fitted = fitted_by(fitting, data, model, context);
   return fitted ? std::optional(std::move(fitted->model)) : std::nullopt;
 }
 

@@ -16,7 +16,7 @@ std::optional<IdentificationResult> refitted_result_on(const Dataset& data,
                                                        const Pipeline& pipeline,
                                                        const RunContext& context);
 
-/// The model of that alone.
+/// The same model alone, a fit to the trajectories beginning at the coefficients that it has.
 std::optional<OdeModel> refitted_on(const Dataset& data, const OdeModel& model,
                                     const Pipeline& pipeline, const RunContext& context);
 

@@ -6,6 +6,7 @@
 
 #include "core/base/check.hpp"
 #include "core/base/text.hpp"
+#include "lacuna/core/base/admission.hpp"
 #include "lacuna/core/numerics/sampled_signal.hpp"
 #include "trajectories/windows/window_gap.hpp"
 
@@ -22,10 +23,12 @@ struct Case {
   const SyncVerdictOptions& options;
 };
 
-/// Slave minus record of one trajectory, as far as it went.
+/// Slave minus record of one trajectory, as far as it went, without what steps are off by.
 Matrix errors_of(const Case& c, std::size_t r) {
   const Matrix& slave = c.result.states[r];
-  return slave - c.record.trajectories[r].states.topRows(slave.rows());
+  Matrix errors = slave - c.record.trajectories[r].states.topRows(slave.rows());
+  if (!c.result.step_errors.empty()) errors -= c.result.step_errors[r];
+  return errors;
 }
 
 double rms(const Eigen::Ref<const Vector>& values) {
@@ -65,12 +68,14 @@ Worst worst_in(const Case& c, const Matrix& errors) {
   return worst;
 }
 
-/// Over the last three quarters of all records: the slave has to come to the record first.
-Matrix late_errors_of(const Case& c) {
+/// The last three quarters of each record: the slave has to come to the record first.
+/// @param whole of one trajectory, by its number.
+template <class Whole>
+Matrix late_rows(const Case& c, Whole whole) {
   std::vector<Matrix> late;
   Index rows = 0;
   for (std::size_t r = 0; r < c.result.states.size(); ++r) {
-    const Matrix errors = errors_of(c, r);
+    const Matrix errors = whole(r);
     late.push_back(errors.bottomRows(errors.rows() - errors.rows() / 4));
     rows += late.back().rows();
   }
@@ -81,6 +86,14 @@ Matrix late_errors_of(const Case& c) {
     begin += errors.rows();
   }
   return all;
+}
+
+/// What the steps of the integrator add in each state, rms; 0 where steps adapt.
+Vector step_sizes(const Case& c) {
+  if (c.result.step_errors.empty()) return Vector::Zero(c.floor.size());
+  const Matrix late = late_rows(c, [&](std::size_t r) { return c.result.step_errors[r]; });
+  return (late.colwise().squaredNorm().transpose() / static_cast<double>(late.rows()))
+      .cwiseSqrt();
 }
 
 /// State by state; one that is not measured says nothing.
@@ -166,6 +179,17 @@ std::string size_of(const OdeModel& model, const Case& c, const Worst& worst) {
          model.states()[static_cast<std::size_t>(worst.state)].name;
 }
 
+/// ", without 0.09 % of the spread of z that ...": what steps add, where that is more than what
+/// is resolved or noise of any state.
+std::string steps_phrase(const OdeModel& model, const Case& c, const Vector& steps) {
+  Worst worst;
+  for (Index k = 0; k < steps.size(); ++k)
+    if (c.floor[k] > 0.0 && steps[k] > worst.ratio * c.floor[k])
+      worst = {k, steps[k] / c.floor[k]};
+  if (!(worst.ratio > 1.0)) return "";
+  return ", without " + size_of(model, c, worst) + " that the integrator's steps add";
+}
+
 /// Whether any sample of a measured state differs from the first of its record.
 bool moves(const Dataset& record) {
   for (const Trajectory& run : record.trajectories)
@@ -195,13 +219,12 @@ Vector missed_between_samples(const Dataset& record) {
   return (squares / static_cast<double>(std::max<Index>(count, 1))).cwiseSqrt();
 }
 
-/// Whether no state is off by more than what is not known of it between its samples, where the
-/// slave follows a curve of nobody's making.
-bool is_off_between_samples(const Case& c, const Matrix& errors) {
-  const Vector missed = missed_between_samples(c.record);
+/// Whether no state is off by more than what something else may make of it.
+/// @param others m: rms.
+bool is_off_within(const Case& c, const Matrix& errors, const Vector& others) {
   for (Index k = 0; k < errors.cols(); ++k) {
     const double off = rms(errors.col(k));
-    if (c.floor[k] > 0.0 && off >= c.options.above_noise * c.floor[k] && !(off < missed[k]))
+    if (c.floor[k] > 0.0 && off >= c.options.above_noise * c.floor[k] && !(off < others[k]))
       return false;
   }
   return true;
@@ -213,6 +236,54 @@ bool determines_hidden(const Trajectory& first, const SyncResult& result,
   if (!result.conditional_exponent) return true;
   const double quarter = 0.25 * (first.time[first.samples() - 1] - first.time[0]);
   return *result.conditional_exponent * quarter <= std::log(options.forgotten);
+}
+
+/// A verdict as it may be given: none where something leaves it in doubt.
+SyncVerdict admitted(SyncVerdict claimed, std::vector<Doubt> doubts = {}) {
+  const Claim claim = claimed.holds ? Claim::Fits : Claim::WrongStructure;
+  const Admission admission = admit({.claim = claim, .doubts = std::move(doubts)});
+  if (admission.stands()) return claimed;
+  const std::string remedy = admission.remedy.empty() ? "" : "; " + admission.remedy;
+  return {.decided = false, .sentence = "Undecided: " + admission.why + remedy + "."};
+}
+
+/// The verdict on a slave that is off by more than noise, or what is resolved.
+SyncVerdict failing(const OdeModel& model, const Case& c, const std::string& size,
+                    Adequacy adequacy) {
+  SyncVerdict verdict{.sentence = {}, .adequacy = std::move(adequacy)};
+  const auto most = helped_most(model, c);
+  if (most) verdict.equation = model.states()[static_cast<std::size_t>(*most)].name;
+  verdict.until = holds_until(c);
+  const std::string where = verdict.equation ? "equation " + *verdict.equation : "";
+  if (verdict.until)
+    verdict.sentence = "Holds up to " + format_number(*verdict.until, 4) + " " +
+                       c.record.time_unit + "; from there on " + size +
+                       (where.empty() ? "." : ", " + where + ".");
+  else
+    verdict.sentence = "Does not hold" + (where.empty() ? "" : ": " + where) + "; " + size +
+                       " (see `lacuna diagnose`).";
+  return verdict;
+}
+
+/// By the errors of a slave that came to the end.
+SyncVerdict judge_errors(const OdeModel& model, const Case& c) {
+  const Matrix late = late_rows(c, [&](std::size_t r) { return errors_of(c, r); });
+  const Vector steps = step_sizes(c);
+  Adequacy adequacy = adequacy_of_slave(model, c, late);
+  const std::string size =
+      "the error is " + size_of(model, c, worst_in(c, late)) + steps_phrase(model, c, steps);
+  if (adequacy.fits == Adequate::Yes)
+    return admitted(
+        {.holds = true, .sentence = "Holds: " + size + ".", .adequacy = std::move(adequacy)});
+  std::vector<Doubt> doubts;
+  // The slave follows a curve of nobody's making between samples.
+  if (c.result.stiff && is_off_within(c, late, missed_between_samples(c.record)))
+    doubts.push_back({size + ", but the slave is faster than the samples, and a curve through "
+                             "every second one misses the others by more",
+                      "sample faster"});
+  if (c.result.settled && is_off_within(c, late, steps))
+    doubts.push_back({size, "let steps adapt (--integrator auto)"});
+  return admitted(failing(model, c, size, std::move(adequacy)), std::move(doubts));
 }
 
 }  // namespace
@@ -258,64 +329,42 @@ std::string stronger_coupling(const std::vector<Quantity>& states, const Matrix&
   for (Index k = 0; k < m; ++k)
     if (coupling(k, k) != 0.0)
       parts.push_back(states[static_cast<std::size_t>(k)].name + "=" +
-                      format_number(2.0 * coupling(k, k), 3));
-  return "--coupling " + (parts.empty() ? "NAME=K" : join(parts, ",")) + ", which is stronger";
+                      format_number(2.0 * std::abs(coupling(k, k)), 3));
+  const bool drives_away = (coupling.diagonal().array() < 0.0).any();
+  return "--coupling " + (parts.empty() ? "NAME=K" : join(parts, ",")) +
+         (drives_away ? " (below 0 it drives the slave away from the record)"
+                      : ", which is stronger");
 }
 
 SyncVerdict judge(const OdeModel& model, const Dataset& record, const SyncResult& result,
                   const SyncVerdictOptions& options) {
   if (result.status != IntegrationStatus::Completed)
-    return {.sentence = "Does not hold: " + result.message + "."};
+    return admitted({.sentence = "Does not hold: " + result.message + "."});
   if (!determines_hidden(record.trajectories.front(), result, options))
-    return {.decided = false,
-            .sentence =
-                "Undecided: slaves that begin elsewhere in hidden states do not come together "
-                "(conditional Lyapunov exponent " +
-                format_number(*result.conditional_exponent, 2) + " 1/" + record.time_unit +
-                "); try " + stronger_coupling(model.states(), result.coupling) +
-                ", or measure one of them."};
-  if (!moves(record))
-    return {.decided = false, .sentence = "Undecided: nothing that is measured moves."};
-  const Case c = case_of(record, result, options);
-  const Matrix late = late_errors_of(c);
-  const Worst worst = worst_in(c, late);
-  const Adequacy adequacy = adequacy_of_slave(model, c, late);
-  const std::string size = "the error is " + size_of(model, c, worst);
-  if (adequacy.fits == Adequate::Yes)
-    return {.holds = true, .sentence = "Holds: " + size + ".", .adequacy = adequacy};
-  if (c.result.stiff && is_off_between_samples(c, late))
-    return {.decided = false,
-            .sentence = "Undecided: " + size +
-                        ", but the slave is faster than the samples, and a curve through every "
-                        "second one misses the others by more; sample faster."};
-  SyncVerdict verdict{.sentence = {}, .adequacy = adequacy};
-  const auto most = helped_most(model, c);
-  if (most) verdict.equation = model.states()[static_cast<std::size_t>(*most)].name;
-  verdict.until = holds_until(c);
-  const std::string where = verdict.equation ? "equation " + *verdict.equation : "";
-  if (verdict.until)
-    verdict.sentence = "Holds up to " + format_number(*verdict.until, 4) + " " +
-                       record.time_unit + "; from there on " + size +
-                       (where.empty() ? "." : ", " + where + ".");
-  else
-    verdict.sentence = "Does not hold" + (where.empty() ? "" : ": " + where) + "; " + size +
-                       " (see `lacuna diagnose`).";
-  return verdict;
+    return admitted({}, {{"slaves that begin elsewhere in hidden states do not come together "
+                          "(conditional Lyapunov exponent " +
+                              format_number(*result.conditional_exponent, 2) + " 1/" +
+                              record.time_unit + ")",
+                          "try " + stronger_coupling(model.states(), result.coupling) +
+                              ", or measure one of them"}});
+  if (!moves(record)) return admitted({}, {{"nothing that is measured moves"}});
+  return judge_errors(model, case_of(record, result, options));
 }
 
 SyncVerdict beside(const Adequacy& predictions, SyncVerdict verdict) {
-  const bool denied = verdict.holds && predictions.fits == Adequate::No;
+  std::vector<Doubt> doubts;
+  if (verdict.holds && predictions.fits == Adequate::No)
+    doubts.push_back(
+        {"the slave holds, but the coupling may make up for what predictions are "
+         "off by"});
   const bool is_off = verdict.decided && !verdict.holds && !verdict.until;
-  const bool unconfirmed = is_off && predictions.fits == Adequate::Yes;
-  if (!denied && !unconfirmed) return verdict;
-  verdict.sentence =
-      denied ? "Undecided: the slave holds, but the coupling may make up for what predictions "
-               "are off by."
-             : "Undecided: the slave does not stay with the record, but predictions fit it; "
-               "try a stronger coupling (`lacuna sync --coupling`).";
-  verdict.holds = verdict.decided = false;
-  verdict.equation.reset();
-  return verdict;
+  if (is_off && predictions.fits == Adequate::Yes)
+    doubts.push_back({"the slave does not stay with the record, but predictions fit it",
+                      "try a stronger coupling (`lacuna sync --coupling`)"});
+  if (doubts.empty()) return verdict;
+  SyncVerdict open = admitted(verdict, doubts);
+  open.adequacy = std::move(verdict.adequacy);
+  return open;
 }
 
 }  // namespace lacuna

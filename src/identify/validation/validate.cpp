@@ -76,8 +76,11 @@ PredictionTest test_windows(const WindowTrial& trial, Index length, int passes,
                             const RunContext& context) {
   const WindowResiduals off = predict_all(trial.model, trial.records, length, passes, context);
   const WindowResiduals moved = predict_all(trial.still, trial.records, length, 1, context);
-  PredictionTest test{
-      static_cast<double>(length - 1) * median_step(trial.data), off.windows, off.lost, {}};
+  PredictionTest test{static_cast<double>(length - 1) * median_step(trial.data),
+                      off.windows,
+                      off.lost,
+                      {},
+                      off.unstarted};
   for (Index k = 0; k < trial.model.dimension(); ++k) {
     if (!trial.data.is_measured(k)) continue;
     const auto place = static_cast<std::size_t>(k);
@@ -175,7 +178,7 @@ Validation validate_map(const ValidationTask& task, const ValidationOptions& opt
   std::erase_if(validation.windows.states, [](const PredictionError& state) {
     return !state.noise_estimated && state.error <= state.noise;
   });
-  judge(options, validation);
+  judge(options, validation, task.result.stages);
   return validation;
 }
 
@@ -184,7 +187,8 @@ struct Judges {
   const Dataset& data;
   const PredictedRecords& records;
   const ValidationOptions& options;
-  Index window = 0;  ///< samples
+  const std::vector<StageDone>& stages;  ///< of the search for the model
+  Index window = 0;                      ///< samples
 };
 
 /// A validation with what a model predicts, and the verdict on it.
@@ -199,7 +203,7 @@ Validation judged_by(const OdeModel& given, const Judges& judges, Validation val
   validation.one_step = test_windows(trial, shortest, kPassesOfAStep, context);
   if (judges.window > shortest)
     validation.windows = test_windows(trial, judges.window, kPassesOfAWindow, context);
-  judge(judges.options, validation);
+  judge(judges.options, validation, judges.stages);
   return validation;
 }
 
@@ -224,7 +228,8 @@ Validation validate_flow(const ValidationTask& task, const ValidationOptions& op
 
   const PredictedRecords records =
       predicted_records(tested, held.blocks, noise, context.threads);
-  const Judges judges{tested, records, options, std::min(period, common_room(held.blocks))};
+  const Judges judges{tested, records, options, task.result.stages,
+                      std::min(period, common_room(held.blocks))};
   Validation validation = validation_on(task, held, tested.time_unit);
   const OdeModel& model = held.refitted ? *held.refitted : task.result.model;
   Validation found = judged_by(model, judges, validation, context);

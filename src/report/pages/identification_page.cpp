@@ -70,6 +70,9 @@ std::string worth_of(const ModelSize& size, ValidationVerdict verdict) {
     case ValidationVerdict::WrongLibrary:
       return sized(size, "does not describe the record: it needs other terms.",
                    "do not describe the record: it needs other terms.");
+    case ValidationVerdict::Incomplete:
+      return sized(size, "was found; the search was cut before it could be judged.",
+                   "were found; the search was cut before they could be judged.");
     case ValidationVerdict::Undecided:
       break;
   }

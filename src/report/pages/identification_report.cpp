@@ -78,6 +78,7 @@ Json test_to_json(const PredictionTest& test) {
   return {{"horizon", test.horizon},
           {"windows", test.windows},
           {"without_solution", test.lost},
+          {"without_start", test.unstarted},
           {"states", list_to_json(test.states, error_to_json)}};
 }
 

@@ -5,6 +5,7 @@
 #include "core/base/text.hpp"
 #include "folded_text.hpp"
 #include "identification_details.hpp"
+#include "lacuna/identify/journey/identify_records.hpp"
 #include "readable.hpp"
 
 namespace lacuna {
@@ -140,6 +141,23 @@ std::string format_text(const IdentificationReport& report, const TextOptions& o
   const std::string left_out = left_out_line(report.result.stages);
   return first + warnings_section(said_once(report.result.warnings)) +
          (left_out.empty() ? "" : "\nStages " + left_out + "\n") + "\nDetails: --explain\n";
+}
+
+IdentificationReport report_of(Identification found, Pipeline pipeline, std::string asked) {
+  const Dataset& data = found.records.excerpt();
+  IdentificationReport report{std::move(found.result), std::move(pipeline), std::move(asked)};
+  if (found.verification)
+    report.sync = SyncReport{std::move(found.verification->result),
+                             data.states,
+                             data.time_unit,
+                             false,
+                             std::move(found.verification->integrator),
+                             std::move(found.verification->verdict)};
+  return report;
+}
+
+std::string format_text(const Identification& found, const TextOptions& options) {
+  return format_text(report_of(found, algorithm1()), options);
 }
 
 }  // namespace lacuna

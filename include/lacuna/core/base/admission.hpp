@@ -33,6 +33,12 @@ struct Bounded {
   double bound = 0.0;
 };
 
+/// Why records allow neither a claim nor its opposite.
+struct Doubt {
+  std::string why;          ///< a phrase without a full stop
+  std::string remedy = {};  ///< what would help, likewise
+};
+
 /// What a verdict rests on. Each command fills in what it knows; what is not given is no question
 /// there. A new reason to refuse is a field here and a function in the list of admit().
 struct VerdictBasis {
@@ -51,6 +57,11 @@ struct VerdictBasis {
   bool still = false;
   /// The longest memory of what the claim takes for noise, as a fraction of a record.
   std::optional<Bounded> memory = {};
+  /// Stretches of the records in which a model was run, and those in which no run was found to
+  /// begin with, although there are some: they are evidence for nothing.
+  Index windows = 0, unstarted = 0;
+  /// What a test has found that decides nothing: noise, motion, rest, too few samples.
+  std::vector<Doubt> doubts = {};
 };
 
 /// The answer of admit().
@@ -73,7 +84,9 @@ struct Admission {
 /// - any claim on records in which nothing moves: Undetermined;
 /// - any claim that takes for noise what remembers more than a fraction of the record: noise as
 ///   slow as that is not distinguished from structure: Undetermined;
-/// - CoefficientsOff with no coefficient and no combination to point at: Undetermined.
+/// - CoefficientsOff with no coefficient and no combination to point at: Undetermined;
+/// - any claim where runs did not start in half of the windows or more: Undetermined;
+/// - any claim that a test leaves in doubt: Undetermined, for the first of the doubts.
 Admission admit(const VerdictBasis& basis);
 
 }  // namespace lacuna

@@ -65,6 +65,10 @@ class Integrator : public StageInterface {
   /// Order p of the method: the error falls as h^p.
   virtual int order() const = 0;
 
+  /// Whether a step is as long as its caller makes it, so that halving it shows what it is off
+  /// by; else steps adapt to tolerances.
+  virtual bool has_fixed_steps() const { return false; }
+
   /// A stepper for m states; it takes the size of divergence from the state it first sees.
   /// @throws ArgumentError for fewer than one state, or so many that there is no room.
   virtual std::unique_ptr<Stepper> make_stepper(Index dimension) const = 0;

@@ -54,6 +54,7 @@ class Rk4 final : public Configured<Integrator, Rk4Options> {
  public:
   using Configured::Configured;
   int order() const override { return 4; }
+  bool has_fixed_steps() const override { return true; }
   std::unique_ptr<Stepper> make_stepper(Index dimension) const override;
 };
 
@@ -73,6 +74,7 @@ class RungeKutta final : public Configured<Integrator, RungeKuttaOptions> {
  public:
   using Configured::Configured;
   int order() const override { return options().order; }
+  bool has_fixed_steps() const override { return true; }
   std::unique_ptr<Stepper> make_stepper(Index dimension) const override;
 };
 
@@ -106,6 +108,7 @@ class Dopri8 final : public Configured<Integrator, Dopri8Options> {
  public:
   using Configured::Configured;
   int order() const override { return 8; }
+  bool has_fixed_steps() const override { return true; }
   std::unique_ptr<Stepper> make_stepper(Index dimension) const override;
 };
 

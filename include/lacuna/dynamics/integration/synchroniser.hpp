@@ -65,10 +65,16 @@ struct SyncResult {
   /// where a slave from there does not get to the end.
   std::optional<double> conditional_exponent = {};
 
+  /// Of an integrator with fixed steps, per trajectory: what these add to `states`, measured by
+  /// halving them once, with two samples more in the polynomial between samples. For a method
+  /// of order p all but 2^-p of it. Empty where steps adapt, where the slave of half steps does
+  /// not get to the end, and where there are not so many samples.
+  std::vector<Matrix> step_errors = {};
+
   IntegrationStatus status = IntegrationStatus::Completed;
 
-  /// Whether steps of the integrator's own length diverge and the slaves were integrated with
-  /// steps that adapt (Dopri5): a model or a coupling that is faster than the samples.
+  /// Whether steps as long as those of the record diverge, so that the slaves were integrated
+  /// with steps that adapt: a model or a coupling that is faster than the samples.
   bool stiff = false;
 
   std::string message;  ///< on divergence: trajectory, time and state; else empty
@@ -87,11 +93,12 @@ Matrix default_coupling(const Dataset& record);
 /// missing samples leave them, which its notes say; as it is where none is long enough.
 Dataset long_enough(Dataset record, const Integrator& integrator);
 
-/// Synchronises the model with every trajectory of the record. The slave makes one step per
-/// sample, and where it diverges so as many as it needs (SyncResult::stiff); in the step t_n ..
-/// t_{n+1} the record (and the inputs) are the Lagrange polynomial through p points for a
-/// method of order p, LagrangeWindow::driving(p): t_{n-2} .. t_{n+1} for RK4. Delayed variables
-/// of the model are those of the record.
+/// Synchronises the model with every trajectory of the record. An integrator with fixed steps
+/// makes one per sample, and where the slave diverges so as many as it needs
+/// (SyncResult::stiff), as one whose steps adapt always does; in the step t_n .. t_{n+1} the
+/// record (and the inputs) are the Lagrange polynomial through p points for a method of order
+/// p, LagrangeWindow::driving(p): t_{n-2} .. t_{n+1} for RK4. Delayed variables of the model
+/// are those of the record.
 /// @throws DataError when states or inputs of the model are not in the record or when a
 /// trajectory
 ///   has fewer samples than the polynomial needs, or values beyond the range of numbers;

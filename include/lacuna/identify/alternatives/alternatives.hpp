@@ -10,6 +10,9 @@
 
 namespace lacuna {
 
+/// Name in IdentificationResult::stages of find_alternatives(), where it was asked for.
+inline constexpr const char* kAlternativesStage = "alternatives";
+
 /// Which models are listed beside the best.
 struct AlternativeOptions {
   std::size_t count = 10;  ///< at most

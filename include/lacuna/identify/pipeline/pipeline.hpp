@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 
 #include "lacuna/core/base/run_context.hpp"
 #include "lacuna/data/records/dataset.hpp"
@@ -54,6 +55,7 @@ struct Pipeline {
   std::vector<EquationTerms> equations = {};  ///< libraries of their own; none: the basis
   std::vector<EquationConstraint> constraints = {};  ///< terms in them enter the library
   bool energy_preserving = false;  ///< see energy_preserving(); terms do not enter
+  std::optional<OdeModel> start = {};  ///< where the refiner begins; none: at the regression
 };
 
 /// Names in IdentificationResult::stages: regression and elimination, and the refiner; where time

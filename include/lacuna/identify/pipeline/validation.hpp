@@ -15,9 +15,10 @@ enum class ValidationVerdict {
   Approximation,  ///< by more than the noise, and by a small fraction of the motion
   WrongLibrary,   ///< by a large fraction of the motion: the terms cannot describe the record
   Undecided,      ///< too few samples, no motion beyond the noise, or noise that is not known
+  Incomplete,     ///< a limit cut a stage of the search that could change the verdict
 };
 
-/// "fits to noise", "approximation", "wrong library", "cannot tell".
+/// "fits to noise", "approximation", "wrong library", "cannot tell", "incomplete".
 std::string to_string(ValidationVerdict verdict);
 
 /// Errors of the predictions of one state over many windows. In each window the initial state
@@ -45,6 +46,7 @@ struct PredictionTest {
   Index windows = 0;
   Index lost = 0;                       ///< windows in which the model has no finite solution
   std::vector<PredictionError> states;  ///< measured ones
+  Index unstarted = 0;  ///< windows with solutions of which none that fits was found
 };
 
 /// How well a model predicts samples that it was not fitted to.

@@ -54,6 +54,8 @@ struct SyncVerdictOptions {
 ///   rate, beyond what the noise makes; one that is an identity (dq/dt = v) is none.
 ///   With hidden states none is named: what one lacks, the coupling adds to another.
 /// - Where nothing measured moves there is no verdict.
+/// - What fixed steps of the integrator add (SyncResult::step_errors) is taken off the errors;
+///   where these are still above, and below what the steps add, there is no verdict.
 /// @param record that drove the slave, in the states of the model.
 SyncVerdict judge(const OdeModel& model, const Dataset& record, const SyncResult& result,
                   const SyncVerdictOptions& options = {});
@@ -65,7 +67,7 @@ SyncVerdict judge(const OdeModel& model, const Dataset& record, const SyncResult
 SyncVerdict beside(const Adequacy& predictions, SyncVerdict verdict);
 
 /// What to try where a slave does not follow: the option that couples twice as strongly what is
-/// coupled (m x m), "--coupling x=2,y=2, which is stronger".
+/// coupled (m x m), "--coupling x=2,y=2, which is stronger"; strengths below 0 come out above it.
 /// @throws ArgumentError when the coupling is not as large as there are states.
 std::string stronger_coupling(const std::vector<Quantity>& states, const Matrix& coupling);
 

@@ -12,6 +12,8 @@
 
 namespace lacuna {
 
+struct Identification;
+
 /// An identification and all that is reported of it.
 struct IdentificationReport {
   IdentificationResult result;
@@ -26,6 +28,13 @@ struct IdentificationReport {
 /// intervals, at most two warnings. With `explain` also the coefficients one by one, fits, noise,
 /// relations, which terms were removed by what number, synchronisation, all warnings.
 std::string format_text(const IdentificationReport& report, const TextOptions& options = {});
+
+/// What identify_records() found, as a report shows it.
+/// @param pipeline of the task. @param asked the configuration asked for, JSON text.
+IdentificationReport report_of(Identification found, Pipeline pipeline, std::string asked = "{}");
+
+/// The same text of what identify_records() found.
+std::string format_text(const Identification& found, const TextOptions& options = {});
 
 /// For people who wait for the rest: the equations of a result that is being refined, in a few
 /// lines that say so.

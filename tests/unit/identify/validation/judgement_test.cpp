@@ -179,5 +179,38 @@ TEST(Judgement, TheAdequacyIsTheVerdictByStates) {
   EXPECT_EQ(validation.adequacy.parts[0].fits, Adequate::No) << "there is no solution";
 }
 
+TEST(Judgement, WindowsInWhichNoRunBeginsRefuteNothingAndConfirmNothing) {
+  for (const double error : {0.01, 5.0}) {
+    Validation validation{.samples = 500, .refitted = true};
+    validation.windows = {1.0, 20, 0, {error_of(error, 0.01, true, 1.0)}, 15};
+    judge({}, validation);
+    EXPECT_EQ(validation.verdict, ValidationVerdict::Undecided);
+    EXPECT_EQ(validation.adequacy.fits, Adequate::Undetermined);
+    EXPECT_THAT(validation.sentence, HasSubstr("15 of 20 windows"));
+    validation.windows.unstarted = 5;
+    judge({}, validation);
+    EXPECT_NE(validation.verdict, ValidationVerdict::Undecided) << "there are enough others";
+  }
+}
+
+TEST(Judgement, WhatALimitCutIsIncompleteWhereItCouldChangeTheVerdict) {
+  const auto verdict = [](double error, const char* why) {
+    Validation validation{.samples = 500, .refitted = true};
+    validation.windows = {1.0, 20, 0, {error_of(error, 0.01, true, 1.0)}};
+    judge({}, validation, {{"equations"}, {"forms", false, why}});
+    return validation;
+  };
+  EXPECT_EQ(verdict(0.01, kTimeIsUp).verdict, ValidationVerdict::FitsToNoise);
+  for (const double error : {0.03, 5.0}) {
+    const Validation cut = verdict(error, kTimeIsUp);
+    EXPECT_EQ(cut.verdict, ValidationVerdict::Incomplete);
+    EXPECT_THAT(cut.sentence, HasSubstr("left out: forms"));
+    EXPECT_EQ(cut.adequacy.fits, Adequate::No) << "of the model as it is";
+  }
+  EXPECT_EQ(verdict(0.03, kIsQuick).verdict, ValidationVerdict::Approximation);
+  EXPECT_EQ(verdict(5.0, kIsQuick).verdict, ValidationVerdict::Incomplete)
+      << "not all libraries were tried";
+}
+
 }  // namespace
 }  // namespace lacuna

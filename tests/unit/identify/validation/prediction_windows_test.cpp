@@ -6,6 +6,9 @@
 #include <cmath>
 
 #include "core/base/random.hpp"
+#include "lacuna/dynamics/integration/runge_kutta.hpp"
+#include "lacuna/dynamics/test_systems/measurement.hpp"
+#include "lacuna/model/files/ode_text.hpp"
 
 namespace lacuna {
 namespace {
@@ -90,6 +93,23 @@ TEST(PredictionWindows, WithoutASolutionAreLost) {
   EXPECT_GT(found.lost, 20);
   EXPECT_LT(found.lost, 50);
   EXPECT_TRUE(found.squares.allFinite());
+}
+
+TEST(PredictionWindows, InWhichTheModelRunsThoughNotAlongThePathAreNotLost) {
+  const OdeModel model = parse_ode("dx/dt = x - x^3", "test");
+  const Dataset run = record_of(model, Dopri87{}, Vector{{0.05}}, 0.1, 60);
+  PredictedRecord record{run.trajectories[0], Matrix::Constant(60, 1, 1e-3), {}};
+  record.path = record.samples.states;
+  for (const Index i : {5, 25, 45}) record.path(i, 0) = 1e160;  // its cube is no number
+  const WindowResiduals once = predict(model, record, 20, 1);
+  EXPECT_EQ(once.windows, 3);
+  EXPECT_EQ(once.lost, 0);
+  EXPECT_EQ(once.unstarted, 3);
+  EXPECT_EQ(once.freedom[0], 0.0);
+  // The next pass begins at the run.
+  const WindowResiduals again = predict(model, record, 20, 2);
+  EXPECT_EQ(again.lost + again.unstarted, 0);
+  EXPECT_LT(std::sqrt(again.squares[0] / again.freedom[0]), 1e-5);
 }
 
 }  // namespace

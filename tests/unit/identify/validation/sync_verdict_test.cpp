@@ -223,6 +223,49 @@ TEST(SyncVerdict, TheStrongerCouplingIsAnOptionAsItIsRead) {
   coupling(1, 1) = 0.25;
   EXPECT_THAT(stronger_coupling({{"x", ""}, {"v", ""}}, coupling),
               HasSubstr("--coupling x=3,v=0.5,"));
+  coupling(0, 0) = -1.5;
+  EXPECT_THAT(stronger_coupling({{"x", ""}, {"v", ""}}, coupling),
+              ::testing::AllOf(HasSubstr("--coupling x=3,v=0.5 "), HasSubstr("below 0"),
+                               ::testing::Not(HasSubstr("stronger"))));
+}
+
+/// Rossler's equations with another damping of z, on an orbit sampled at the article's step.
+SyncVerdict verdict_on_rossler(double damping, const Integrator& integrator) {
+  const auto text = [](double c) {
+    return "dx/dt = -y - z\ndy/dt = x + 0.2*y\ndz/dt = 0.2 - " + format_number(c) + "*z + x*z";
+  };
+  const OdeModel truth = parse_ode(text(5.7), "truth");
+  const Dataset data =
+      record_of(truth, Dopri8({.substeps = 4}), Vector{{0.1, 0.1, 0.1}}, 0.1, 6000);
+  const OdeModel model = parse_ode(text(damping), "model");
+  return judge(model, data, synchronise(model, data, integrator));
+}
+
+TEST(SyncVerdict, WhatStepsAddIsNamedAndTakenOff) {
+  const SyncVerdict right = verdict_on_rossler(5.7, Rk4{});
+  EXPECT_TRUE(right.holds) << right.sentence;
+  EXPECT_THAT(right.sentence, HasSubstr("that the integrator's steps add"));
+  const SyncVerdict wrong = verdict_on_rossler(5.8, Rk4{});
+  EXPECT_FALSE(wrong.holds) << wrong.sentence;
+  EXPECT_TRUE(wrong.decided) << wrong.sentence;
+  const SyncVerdict adapted = verdict_on_rossler(5.7, Dopri5{});
+  EXPECT_TRUE(adapted.holds) << adapted.sentence;
+  EXPECT_THAT(adapted.sentence, ::testing::Not(HasSubstr("steps add")));
+}
+
+TEST(SyncVerdict, ErrorsBelowThoseOfTheStepsLeaveItOpen) {
+  const Dataset data = record(0.0, 0.0);
+  const OdeModel model = damped_oscillator(1.001);
+  SyncResult sync = synchronise(model, data, Rk4{});
+  ASSERT_FALSE(judge(model, data, sync).holds);
+  ASSERT_TRUE(judge(model, data, sync).decided);
+  // Steps whose error is seen only roughly: all but what is left of it is taken off.
+  const Matrix left = sync.states[0] - data.trajectories[0].states;
+  sync.step_errors = {3.0 * left};
+  sync.states[0] += 3.0 * left;
+  const SyncVerdict found = judge(model, data, sync);
+  EXPECT_FALSE(found.decided) << found.sentence;
+  EXPECT_THAT(found.sentence, HasSubstr("--integrator auto"));
 }
 
 }  // namespace

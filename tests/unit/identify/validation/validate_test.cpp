@@ -4,6 +4,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "identify/validation/held_blocks.hpp"
+#include "identify/validation/refit.hpp"
 #include "lacuna/core/base/error.hpp"
 #include "lacuna/data/derivatives/finite_differences.hpp"
 #include "lacuna/records/binding/embedding.hpp"
@@ -192,6 +194,31 @@ TEST(Validate, TheModelStaysWhatItIs) {
   const std::string before = to_text(found.model);
   validate({found, data, pipeline});
   EXPECT_EQ(to_text(found.model), before);
+}
+
+/// th'' = -24 sin th - 0.1 th', its angle on the steps of an encoder, 1024 a turn.
+Dataset encoded_swing() {
+  constexpr double kStep = 2.0 * 3.141592653589793 / 1024.0;
+  Dataset data = record_of_text("dth/dt = w\ndw/dt = -24*sin(th) - 0.1*w", Vector{{1.8, 0.0}},
+                                0.01, 1800);
+  Trajectory& run = data.trajectories.front();
+  run.states = (run.states.leftCols(1) / kStep).array().round() * kStep;
+  data.states.resize(1);
+  const Pipeline pipeline = algorithm1();
+  return embed(data, {{"th", 2}}, *differentiator_of(*pipeline.formulation));
+}
+
+TEST(Validate, ARefitBeginsWhereTheModelIsAndNotAtRatesThatRoundingTears) {
+  const Dataset data = encoded_swing();
+  const OdeModel model =
+      parse_ode("dth/dt = th_d1\ndth_d1/dt = -24*sin(th) - 0.1*th_d1", "test");
+  const Pipeline pipeline = algorithm1();
+  const auto found =
+      refitted_on(thinned(without_blocks(data, held_blocks(data, 150), 20), 18000), model,
+                  pipeline, {});
+  ASSERT_TRUE(found);
+  EXPECT_NEAR(found->coefficient(1, "sin(th)"), -24.0, 0.1);
+  EXPECT_NEAR(found->coefficient(1, "th_d1"), -0.1, 0.02);
 }
 
 }  // namespace

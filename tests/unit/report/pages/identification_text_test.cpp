@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+#include "lacuna/dynamics/test_systems/measurement.hpp"
+#include "lacuna/dynamics/test_systems/test_systems.hpp"
+#include "lacuna/identify/journey/identify_records.hpp"
 #include "unit/report/pages/reports.hpp"
 
 namespace lacuna {
@@ -130,6 +133,16 @@ TEST(IdentificationText, LongEquationsAreShownAsFarAsTheyFit) {
   EXPECT_THAT(text, HasSubstr("  and 11 more equations\n"));
   EXPECT_LE(std::count(text.begin(), text.end(), '\n'), 40);
   EXPECT_THAT(format_text(long_report(1, 90), {{}, true}), HasSubstr("+- 0.0002)*x0^90"));
+}
+
+TEST(IdentificationText, WhatIsFoundIsPrintedByOneCall) {
+  const TestSystem& system = test_system("pendulum");
+  Dataset data = record_of(system.model, Dopri87{}, system.start, 0.02, 1500);
+  data.trajectories[0].derivatives.resize(0, 0);
+  const std::string text = format_text(identify_records(add_relative_noise(data, 0.001, 3)));
+  for (const char* part :
+       {"Fits to the noise", "dth/dt = ", "sin(th)", "Synchronisation with the record: Holds"})
+    EXPECT_THAT(text, HasSubstr(part));
 }
 
 }  // namespace
