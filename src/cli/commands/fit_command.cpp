@@ -5,6 +5,7 @@
 
 #include "answers.hpp"
 #include "assignments.hpp"
+#include "cli/terminal/first_screen.hpp"
 #include "command.hpp"
 #include "data_options.hpp"
 #include "lacuna/data/derivatives/finite_differences.hpp"
@@ -95,6 +96,24 @@ std::vector<KnownDeviation> read_deviations(const std::vector<std::string>& assi
   return known;
 }
 
+/// The fit. Somebody who watches sees that from the given start first where the whole one takes
+/// longer than a moment: it stays on the terminal where the rest is interrupted.
+Fit watched_fit(const Session& session, const FitArguments& options) {
+  RunContext context = make_context(session, options.run);
+  FirstScreen screen(session.streams.err, session.begin);
+  if (is_watched(session, options.run) && !context.deadline &&
+      options.run.effort != Thoroughness::Quick) {
+    FitRequest quick = options;
+    quick.conditions = {};
+    quick.fit.effort = Thoroughness::Quick;
+    quick.fit.profile = quick.fit.bands = false;
+    screen.take("First answer, from the given start; other starts and intervals follow\n" +
+                format_text(answer(quick, context)) + "\n");
+    context.progress = beside(screen, std::move(context.progress));
+  }
+  return answer(options, context);
+}
+
 int fit_command(const Session& session, FitArguments options) {
   options.fit.deviations = read_deviations(options.deviations);
   std::vector<std::string> files = files_read(options.data, options.held_out.paths);
@@ -106,7 +125,7 @@ int fit_command(const Session& session, FitArguments options) {
   options.fit.effort = options.run.effort;
   const std::vector<ModelSource> models = take_models(options);
   if (models.size() > 1) return compare_models(session, options, models);
-  const Fit found = answer(options, make_context(session, options.run));
+  const Fit found = watched_fit(session, options);
   finish_progress(session, options.run);
   if (options.model_out)
     write_output(session, *options.model_out,

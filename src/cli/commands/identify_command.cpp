@@ -209,15 +209,6 @@ void check_request(const IdentifyRequest& request) {
                       "leave it out, or use `lacuna fit MODEL DATA --holdout`");
 }
 
-/// A progress function that shows a first screen as well.
-std::function<void(const Progress&)> beside(FirstScreen& screen,
-                                            std::function<void(const Progress&)> shown) {
-  return [&screen, shown = std::move(shown)](const Progress& progress) {
-    screen.show(std::chrono::steady_clock::now());
-    shown(progress);
-  };
-}
-
 int identify_command(const Session& session, const IdentifyArguments& options) {
   std::vector<std::string> files = files_read(options.data, options.held_out.paths);
   if (options.config) files.push_back(*options.config);

@@ -13,4 +13,12 @@ void FirstScreen::show(Time now) {
   text_.clear();
 }
 
+std::function<void(const Progress&)> beside(FirstScreen& screen,
+                                            std::function<void(const Progress&)> shown) {
+  return [&screen, shown = std::move(shown)](const Progress& progress) {
+    screen.show(std::chrono::steady_clock::now());
+    shown(progress);
+  };
+}
+
 }  // namespace lacuna::cli

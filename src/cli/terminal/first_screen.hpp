@@ -2,9 +2,12 @@
 #pragma once
 
 #include <chrono>
+#include <functional>
 #include <ostream>
 #include <string>
 #include <utility>
+
+#include "lacuna/core/base/run_context.hpp"
 
 namespace lacuna::cli {
 
@@ -27,5 +30,9 @@ class FirstScreen {
   Time begin_;
   std::string text_;
 };
+
+/// A progress function that shows a first screen as well, which has to outlive it.
+std::function<void(const Progress&)> beside(FirstScreen& screen,
+                                            std::function<void(const Progress&)> shown);
 
 }  // namespace lacuna::cli

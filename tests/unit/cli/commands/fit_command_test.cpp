@@ -2,8 +2,10 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <sstream>
+#include <stop_token>
 #include <string>
 
+#include "cli/commands/command.hpp"
 #include "lacuna/diagnose/criterion/options.hpp"
 #include "lacuna/trajectories/fit/fit.hpp"
 #include "unit/cli/commands/records.hpp"
@@ -283,6 +285,42 @@ TEST(FitCommand, TheLawOfNoiseIsPartOfTheAnswer) {
   ASSERT_EQ(result.status, 0) << result.err;
   EXPECT_THAT(result.out, HasSubstr("proportional noise"));
   EXPECT_THAT(result.out, HasSubstr("log-likelihood"));
+}
+
+/// Asks a run to stop as soon as the first answer is on the screen.
+class StoppingScreen : public std::stringbuf {
+ public:
+  explicit StoppingScreen(std::stop_source& stop) : stop_(stop) {}
+
+ private:
+  int sync() override {
+    if (str().find("First answer") != std::string::npos) stop_.request_stop();
+    return 0;
+  }
+
+  std::stop_source& stop_;
+};
+
+TEST(FitCommand, TheFirstAnswerStaysWhereTheRestIsInterrupted) {
+  const Records records;
+  const std::string model = records.folder().write(
+      "m.ode", "input u [N]\nparam c = 3 in 0..100\ndx/dt = v\ndv/dt = -c*x + 0.8*u\n");
+  std::stop_source stop;
+  StoppingScreen screen(stop);
+  std::ostringstream out;
+  std::ostream err(&screen);
+  const Registry registry = default_registry();
+  const cli::Session session{.registry = registry,
+                             .streams = {out, err},
+                             .stop = stop.get_token(),
+                             .begin = {}};  // long ago: the run takes longer than a moment
+  CLI::App root;
+  const cli::Command command = cli::declare_fit(root);
+  root.parse("fit \"" + model + "\" \"" + records.oscillator() + "\" --progress always");
+  EXPECT_THROW(command.run(session), Cancelled);
+  EXPECT_THAT(screen.str(), HasSubstr("First answer, from the given start"));
+  EXPECT_THAT(screen.str(), HasSubstr("c "));
+  EXPECT_EQ(out.str(), "");
 }
 
 }  // namespace
