@@ -197,9 +197,7 @@ Subject subject_of(const BenchRequest& options) {
 }
 
 int bench_command(const Session& session, const BenchArguments& options) {
-  std::vector<std::string> files = files_read(options.data, {});
-  if (options.config) files.push_back(*options.config);
-  check_outputs(files, with_report({{"--csv", options.csv}}, options.report));
+  check_open(options.report);
   const BenchAnswer found =
       answer(session.registry, options, make_context(session, options.run));
   finish_progress(session, options.run);
@@ -258,11 +256,11 @@ Command declare_bench(CLI::App& root) {
       ->capture_default_str();
   app->add_option("--draws", options->draws, "Noisy copies for each noise above 0")
       ->type_name("N")
-      ->check(CLI::Range(1, 100000))
+      ->check(from_to(1, 100000))
       ->capture_default_str();
   app->add_option("--samples", options->samples, "Samples of a test system")
       ->type_name("N")
-      ->check(CLI::Range(10, 100000000))
+      ->check(from_to(10, 100000000))
       ->capture_default_str();
   app->add_option("--preset", options->preset,
                   "Composition of stages to start from [default: algorithm1], without its refiner")
@@ -275,7 +273,7 @@ Command declare_bench(CLI::App& root) {
                   "One value of the configuration that all have, e.g. pruner=keep-all; repeatable")
       ->type_name("PATH=VALUE");
   app->add_option("--csv", options->csv, "Write a line for each cell; - for standard output")
-      ->type_name("FILE|-");
+      ->type_name(kFile);
   declare_report_options(*app, options->report);
   declare_column_options(*app, options->data, true);
   declare_run_options(*app, options->run);
