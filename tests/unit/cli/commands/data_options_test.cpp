@@ -8,6 +8,7 @@ namespace {
 
 using testing::CommandResult;
 using ::testing::HasSubstr;
+using testing::expect_failure;
 using testing::run_command;
 using testing::TemporaryFolder;
 
@@ -75,6 +76,32 @@ TEST(DataOptions, TheUnitOfTheTimeIsOneThatTimesAreConvertedFrom) {
     ASSERT_EQ(result.status, 0) << result.err;
     EXPECT_EQ(nlohmann::json::parse(result.out)["time_unit"], unit);
   }
+}
+
+TEST(DataOptions, MapGivesNoNameThatTheModelLacks) {
+  const testing::Records records;
+  const std::string model = records.oscillator_model(), data = records.oscillator();
+  const std::vector<std::vector<std::string>> commands = {
+      {"diagnose", "--model", model, data}, {"fit", model, data},      {"sync", model, data},
+      {"compare", model, data},             {"check", data, "--model", model},
+      {"diagnose", "--each", "--model", model, data},
+      {"plan", model, "--data", data},
+      {"simulate", model, "--x0", "0,0", "--input-data", data}};
+  for (std::vector<std::string> words : commands) {
+    words.insert(words.end(), {"--map", "vel=x"});
+    expect_failure(run_command(words), 2,
+                   {"--map vel=x", "no state, input or output 'vel'", "did you mean 'v'?"});
+  }
+}
+
+TEST(DataOptions, MapMayNameWhatARivalHas) {
+  const testing::Records records;
+  const std::string rival = records.folder().write(
+      "rival.ode", "input u [N]\nstate x [m]\nstate v [m/s]\ndx/dt = v\ndv/dt = -4*x + u - 0.1*v\n"
+                   "y = x [m]\n");
+  const auto result = run_command({"fit", records.oscillator_model(), rival,
+                                   records.oscillator(), "--map", "y=x", "--time", "t"});
+  EXPECT_THAT(result.err, ::testing::Not(HasSubstr("--map")));
 }
 
 }  // namespace
