@@ -85,7 +85,8 @@ DiagnoseAnswer answer(const Registry& registry, const DiagnoseRequest& request,
 
 std::string text_of(const DiagnoseAnswer& answer);
 
-/// The augmented model, every composite model that was judged, and options that decided nothing.
+/// The augmented model, every composite model that was judged, and options that decided
+/// nothing.
 std::string explanation_of(const DiagnoseAnswer& answer, const Digits& digits);
 
 struct FitRequest {

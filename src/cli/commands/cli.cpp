@@ -115,7 +115,8 @@ int run_chosen(const cli::Command& command, const cli::Session& session) {
   } catch (const Cancelled&) {
     return interrupted();
   } catch (const ArgumentError& error) {  // its place is a function, which users do not know
-    const char* look = error.remedy().empty() ? "; look at what is read with `lacuna check`" : "";
+    const char* look =
+        error.remedy().empty() ? "; look at what is read with `lacuna check`" : "";
     return fail(streams, place_of(*command.app) + ": " + user_text(error) + look);
   } catch (const Error& error) {
     // A read that was broken into by an interrupt has failed too.
@@ -156,7 +157,8 @@ CLI::App& declare_demo(CLI::App& root, std::vector<std::string>& names) {
 
 /// The option of `lacuna help`: the command.
 CLI::App& declare_help(CLI::App& root, std::string& name) {
-  CLI::App* app = root.add_subcommand("help", "Show the help of lacuna, or of one of its commands");
+  CLI::App* app =
+      root.add_subcommand("help", "Show the help of lacuna, or of one of its commands");
   app->add_option("COMMAND", name, "Which command [default: what there is]");
   return *app;
 }

@@ -28,12 +28,12 @@ std::string names_of(const CLI::App& root) {
   return join(names, " ");
 }
 
-/// The cases of a shell's `case` over the commands. @param offer how it offers words behind `help`,
-/// with %s in their place.
+/// The cases of a shell's `case` over the commands. @param offer how it offers words behind
+/// `help`, with %s in their place.
 std::string cases_of(const CLI::App& root, const std::string& offer) {
   const std::size_t place = offer.find("%s");
-  std::string text = "    help) " + std::string(offer).replace(place, 2, names_of(root)) +
-                     "; return ;;\n";
+  std::string text =
+      "    help) " + std::string(offer).replace(place, 2, names_of(root)) + "; return ;;\n";
   for (const CLI::App* command : root.get_subcommands({}))
     if (command->get_name() != "help")
       text += "    " + command->get_name() + ") options='" + options_of(*command) + "' ;;\n";

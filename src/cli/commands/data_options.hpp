@@ -53,7 +53,8 @@ ColumnRoles common_roles(const DataOptions& options);
 std::vector<std::string> column_names(const OdeModel& model);
 
 /// @param known names of columns for the models, and others that options speak of.
-/// @throws ConfigError where `--map` gives a name that is none of them, nor that of the time or of
+/// @throws ConfigError where `--map` gives a name that is none of them, nor that of the time or
+/// of
 ///   the numbers of records: such a column would be read by nothing.
 void check_map(const DataOptions& options, std::vector<std::string> known);
 

@@ -59,7 +59,8 @@ class WorkFolder {
 };
 
 /// Waits for a program that leads a group of its own. @return whether it ended well.
-/// @throws Cancelled, with the group ended, where a stop is asked for (the interrupt guard breaks
+/// @throws Cancelled, with the group ended, where a stop is asked for (the interrupt guard
+/// breaks
 ///   into the wait).
 bool ends_well(pid_t child, const std::stop_token& stop) {
   int status = 0;
@@ -90,8 +91,8 @@ bool run(std::vector<std::string> arguments, const std::string& printed,
   posix_spawnattr_init(&attributes);
   posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
   pid_t child = 0;
-  const int failure = posix_spawnp(&child, pointers.front(), &actions, &attributes,
-                                   pointers.data(), environ);
+  const int failure =
+      posix_spawnp(&child, pointers.front(), &actions, &attributes, pointers.data(), environ);
   posix_spawnattr_destroy(&attributes);
   posix_spawn_file_actions_destroy(&actions);
   return failure == 0 && ends_well(child, stop);
@@ -136,9 +137,9 @@ std::string fmu_archive(const SystemModel& model, const std::stop_token& stop) {
   const FmuSources sources = fmu_sources(model);
   const std::string name = kFmuName;
   return zip_of({{"modelDescription.xml", sources.description},
-                      {"sources/" + name + ".c", sources.code},
-                      {std::string("binaries/") + kPlatform + "/" + name + kLibraryEnding,
-                       compiled(sources.code, stop)}});
+                 {"sources/" + name + ".c", sources.code},
+                 {std::string("binaries/") + kPlatform + "/" + name + kLibraryEnding,
+                  compiled(sources.code, stop)}});
 }
 
 void check_format(const std::string& format) {
@@ -187,9 +188,10 @@ Command declare_export(CLI::App& root) {
       "export", "Write a model for another program: as its source text, or as an FMU");
   app->add_option("MODEL", options->model, "Model file, or the name of a test system")
       ->required();
-  app->add_option("--format", options->format,
-                  "One of `lacuna list export`: c, cpp, fmu (FMI 2.0 for co-simulation; takes a C "
-                  "compiler), latex, matlab, modelica, python, spice")
+  app->add_option(
+         "--format", options->format,
+         "One of `lacuna list export`: c, cpp, fmu (FMI 2.0 for co-simulation; takes a C "
+         "compiler), latex, matlab, modelica, python, spice")
       ->required();
   app->add_option("-o,--output", options->output, "File to write; - is standard output")
       ->type_name(kFile);

@@ -205,12 +205,14 @@ std::vector<AskedOption> asked_options(const IdentifyRequest& request,
   const auto ask = [&](bool given, const char* option, const char* stage) {
     if (given) asked.push_back({option, why_not(stage, result.stages)});
   };
-  for (const auto& [key, stage] :
-       {std::pair{"forms", kFormsStage}, {"validation", kValidationStage},
-        {"relations", kRelationsStage}, {"advice", kAdviceStage},
-        {"sync", kSynchronisationStage}})
+  for (const auto& [key, stage] : {std::pair{"forms", kFormsStage},
+                                   {"validation", kValidationStage},
+                                   {"relations", kRelationsStage},
+                                   {"advice", kAdviceStage},
+                                   {"sync", kSynchronisationStage}})
     ask(configuration.says(key), key, stage);
-  ask(request.integrator != IdentifyRequest{}.integrator, "--integrator", kSynchronisationStage);
+  ask(request.integrator != IdentifyRequest{}.integrator, "--integrator",
+      kSynchronisationStage);
   ask(!request.held_out.empty(), "--holdout", kValidationStage);
   if (configuration.says("map") && result.model.is_map())
     asked.push_back({"map", "it says when the record of a flow looks like that of a map"});

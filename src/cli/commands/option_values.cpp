@@ -47,8 +47,8 @@ std::string about_unknown(const CLI::App& root, const CLI::App& command) {
   for (const std::string& word : command.remaining(true)) {
     const bool option = word.rfind("-", 0) == 0;
     if (const CLI::App* owner = option ? nullptr : command_with(root, "--" + word))
-      return "'" + word + "' is an option, as in `lacuna " + owner->get_name() + " ... --" + word +
-             "`";
+      return "'" + word + "' is an option, as in `lacuna " + owner->get_name() + " ... --" +
+             word + "`";
     const auto near = nearest_name(word, known_words(option ? command : root, option));
     return "'" + word + "' is not known" + (near ? "; did you mean '" + *near + "'?" : "");
   }
@@ -56,7 +56,8 @@ std::string about_unknown(const CLI::App& root, const CLI::App& command) {
 }
 
 /// The options that a message of the parser names, in the order in which it does.
-std::vector<const CLI::Option*> options_in(const std::string& message, const CLI::App& command) {
+std::vector<const CLI::Option*> options_in(const std::string& message,
+                                           const CLI::App& command) {
   std::vector<std::pair<std::size_t, const CLI::Option*>> found;
   for (const CLI::Option* option : command.get_options()) {
     const std::string name = option->get_name();
@@ -76,12 +77,18 @@ std::vector<const CLI::Option*> options_in(const std::string& message, const CLI
   return options;
 }
 
-/// About a value that is not of the option's type: the parser converts to numbers and flags only.
+/// About a value that is not of the option's type: the parser converts to numbers and flags
+/// only.
 std::string about_type(const CLI::Option& option) {
   const std::string value = option.results().empty() ? "" : option.results().front();
   if (option.get_expected_max() == 0) return option.get_name() + " takes no value";
   if (!parse_number(value)) return option.get_name() + ": '" + value + "' is no number";
   return option.get_name() + ": '" + value + "' is no whole number, or too large";
+}
+
+template <class Kind>
+bool is(const CLI::ParseError& error) {
+  return dynamic_cast<const Kind*>(&error) != nullptr;
 }
 
 std::string about_count(const CLI::Option& option) {
@@ -148,20 +155,20 @@ CLI::Validator number_of(std::map<std::string, int> numbers) {
 std::string sentence_of(const CLI::ParseError& error, CLI::App& root) {
   const std::vector<CLI::App*> chosen = root.get_subcommands();
   const CLI::App& command = chosen.empty() ? root : *chosen.front();
-  const std::string kind = error.get_name(), message = error.what();
+  const std::string message = error.what();
   const std::vector<const CLI::Option*> options = options_in(message, command);
   const auto sentence = [&]() -> std::string {
-    if (kind == "ExtrasError") return about_unknown(root, command);
-    if (kind == "RequiredError" && chosen.empty()) {
+    if (is<CLI::ExtrasError>(error)) return about_unknown(root, command);
+    if (is<CLI::RequiredError>(error) && chosen.empty()) {
       const std::string unknown = about_unknown(root, command);
       return unknown.empty() ? "no command is given" : unknown;
     }
-    if (kind == "ExcludesError" && options.size() == 2)
+    if (is<CLI::ExcludesError>(error) && options.size() == 2)
       return options[0]->get_name() + " and " + options[1]->get_name() + " exclude each other";
     if (options.empty()) return message;
-    if (kind == "RequiredError") return options[0]->get_name() + " is missing";
-    if (kind == "ConversionError") return about_type(*options[0]);
-    if (kind == "ArgumentMismatch") return about_count(*options[0]);
+    if (is<CLI::RequiredError>(error)) return options[0]->get_name() + " is missing";
+    if (is<CLI::ConversionError>(error)) return about_type(*options[0]);
+    if (is<CLI::ArgumentMismatch>(error)) return about_count(*options[0]);
     return message;  // of a check of values, which is ours
   };
   const std::string name = chosen.empty() ? "lacuna" : "lacuna " + command.get_name();

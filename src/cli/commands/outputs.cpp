@@ -17,6 +17,12 @@ namespace fs = std::filesystem;
 
 constexpr const char* kPictureEnding = ".svg";
 
+/// Where a file is, there or not yet, behind its links; empty where that is not known.
+fs::path real_place(const fs::path& path) {
+  std::error_code unknown;
+  return fs::weakly_canonical(fs::absolute(written_file(path), unknown), unknown);
+}
+
 bool is_output(const CLI::Option& option) {
   const std::string form = option.get_type_name();
   return form.ends_with("|-") || form == kPictures;
@@ -27,19 +33,14 @@ bool same_file(const fs::path& a, const fs::path& b) {
   if (is_stream(a) || is_stream(b)) return false;
   std::error_code error;
   if (fs::equivalent(a, b, error)) return true;
-  const auto place = [](const fs::path& path) {
-    std::error_code unknown;
-    return fs::weakly_canonical(fs::absolute(written_file(path), unknown), unknown);
-  };
-  return !place(a).empty() && place(a) == place(b);
+  return !real_place(a).empty() && real_place(a) == real_place(b);
 }
 
 /// Whether a picture in the folder would be, or already is, that file.
 bool has_picture(const fs::path& folder, const fs::path& file) {
-  const fs::path target = written_file(file);
-  const bool is_beside = target.extension() == kPictureEnding &&
-                         same_file(fs::absolute(target).parent_path(), folder);
-  if (is_beside) return true;
+  const fs::path place = real_place(file);
+  if (place.extension() == kPictureEnding && same_file(place.parent_path(), folder))
+    return true;
   std::error_code error;
   for (fs::directory_iterator entry(folder, error); !error && entry != fs::directory_iterator();
        entry.increment(error))
@@ -59,7 +60,7 @@ void check_folder(const std::string& option, const fs::path& folder) {
   if (folder == "-")
     throw ConfigError(option + " -", "pictures are several files", "name a folder");
   std::error_code error;
-  fs::path there = fs::absolute(written_file(folder));
+  fs::path there = real_place(folder);
   while (!fs::exists(there, error) && there.has_relative_path()) there = there.parent_path();
   const std::string place = option + " " + folder.string();
   if (!fs::is_directory(there, error))
@@ -92,8 +93,8 @@ std::vector<OutputFile> outputs_of(const CLI::App& command) {
   for (const CLI::Option* option : command.get_options())
     if (is_output(*option))
       for (const std::string& path : option->results())
-        outputs.push_back({"--" + option->get_lnames().front(), path,
-                           option->get_type_name() == kPictures});
+        outputs.push_back(
+            {"--" + option->get_lnames().front(), path, option->get_type_name() == kPictures});
   return outputs;
 }
 
@@ -117,6 +118,8 @@ void check_outputs(const std::vector<fs::path>& read, const std::vector<OutputFi
                             "this would replace '" + file.string() + "', which is read",
                             "give the result a file of its own");
     check_apart(output, {outputs.begin(), outputs.begin() + static_cast<std::ptrdiff_t>(i)});
+  }
+  for (const OutputFile& output : outputs) {
     if (output.is_folder)
       check_folder(output.option, output.path);
     else if (output.path != "-")

@@ -98,7 +98,8 @@ Json parsed_answer(const std::string& text, const std::string& source) {
   try {
     return parse_strict_json(text, "--after " + source);
   } catch (const ModelError& error) {
-    throw ConfigError(error.where(), "it is no answer as JSON: " + error.problem(), kAnswerRemedy);
+    throw ConfigError(error.where(), "it is no answer as JSON: " + error.problem(),
+                      kAnswerRemedy);
   }
 }
 

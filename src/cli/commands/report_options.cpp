@@ -61,7 +61,8 @@ std::string model_text(const std::string& path, const SystemModel& model,
 
 void check_open(const ReportOptions& options) {
   if (options.open && (!options.page || *options.page == "-"))
-    throw ConfigError("--open", "there is no file to show", "name it: --report answer.html --open");
+    throw ConfigError("--open", "there is no file to show",
+                      "name it: --report answer.html --open");
 }
 
 void write_report(const Session& session, const ReportOptions& options,

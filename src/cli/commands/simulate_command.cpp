@@ -300,16 +300,18 @@ void declare_options(CLI::App& app, SimulateArguments& options) {
                  "Start: one number per state, in the order of the model; else its `initial`, of a "
                  "test system its own")
       ->type_name("v1,v2,...");
-  app.add_option("--t-start", options.t_start,
-                 "First time, in the model's time unit; else that of the initial values, that of "
-                 "the input record, or 0")
+  app.add_option(
+         "--t-start", options.t_start,
+         "First time, in the model's time unit; else that of the initial values, that of "
+         "the input record, or 0")
       ->check(finite());
   app.add_option("--t-end", options.t_end,
                  "Last time, in the model's time unit [default: the end of the input record]")
       ->check(finite());
-  app.add_option("--dt", options.step,
-                 "Step of the output, in the model's time unit [default: the times of the input "
-                 "record]; of a map, time from one value to the next [default: 1]")
+  app.add_option(
+         "--dt", options.step,
+         "Step of the output, in the model's time unit [default: the times of the input "
+         "record]; of a map, time from one value to the next [default: 1]")
       ->check(finite());
   app.add_option("-o,--output", options.output, "CSV file [default: standard output]")
       ->type_name(kFile);

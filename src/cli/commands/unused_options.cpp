@@ -6,9 +6,8 @@
 namespace lacuna::cli {
 
 std::string why_not(const std::string& stage, const std::vector<StageDone>& stages) {
-  const auto found = std::find_if(stages.begin(), stages.end(), [&](const StageDone& one) {
-    return one.name == stage;
-  });
+  const auto found = std::find_if(stages.begin(), stages.end(),
+                                  [&](const StageDone& one) { return one.name == stage; });
   if (found == stages.end()) return "the stage `" + stage + "` was not reached";
   return found->done ? "" : "the stage `" + stage + "` was left out, " + found->why;
 }

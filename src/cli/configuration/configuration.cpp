@@ -17,7 +17,7 @@ namespace lacuna {
 struct Configuration::Document {
   Json root = Json::object();
   std::map<std::string, std::string> said;  ///< by set() and its like: what, and how
-  Json options = Json::object();            ///< what options of a command line give, in the root
+  Json options = Json::object();  ///< what options of a command line give, in the root
 
   /// @throws ConfigError that names both when it has been said before.
   void say(const std::string& what, const std::string& option, const std::string& text) {

@@ -101,9 +101,7 @@ void sync_folder(const fs::path& file) {
 
 /// A new file beside the target. "x": never write into one that somebody else has opened under
 /// the same name.
-File open_new(const fs::path& temporary) {
-  return File(std::fopen(temporary.c_str(), "wbx"));
-}
+File open_new(const fs::path& temporary) { return File(std::fopen(temporary.c_str(), "wbx")); }
 
 void check_target(const fs::path& path) {
   std::error_code none;

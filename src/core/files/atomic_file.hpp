@@ -16,7 +16,8 @@ void write_file_atomically(const std::filesystem::path& path, std::string_view c
 /// @throws FileError as that.
 void check_writable(const std::filesystem::path& path);
 
-/// The file that writing to a path makes or replaces: behind its symbolic links, there or not yet.
+/// The file that writing to a path makes or replaces: behind its symbolic links, there or not
+/// yet.
 /// @throws FileError when they lead in a circle.
 std::filesystem::path written_file(const std::filesystem::path& path);
 

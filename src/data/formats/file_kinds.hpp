@@ -38,7 +38,8 @@ struct FileAndSheet {
 FileAndSheet file_and_sheet(const std::filesystem::path& path);
 
 /// Every file that is there and that a word of a command line may name: as it stands, as a
-/// pattern, in front of a '#' (the sheet of a workbook), between two '+' (files that are joined);
+/// pattern, in front of a '#' (the sheet of a workbook), between two '+' (files that are
+/// joined);
 /// "-" is standard input. It may name too many, never too few.
 std::vector<std::filesystem::path> files_named(std::string_view word);
 

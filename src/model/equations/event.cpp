@@ -29,9 +29,10 @@ void add_occurrences(const std::vector<Event>& events, std::size_t number, doubl
                        "give a longer period, or an end by `until`");
     k = std::max(0.0, std::ceil((begin - *event.time) / *event.period) - 1.0);
     if (!(k < kLargestNumber))
-      throw ModelError("event " + occasion_text(event),
-                       "it began so many periods before the record that its times are not known",
-                       "let it begin nearer to the record, by `from`");
+      throw ModelError(
+          "event " + occasion_text(event),
+          "it began so many periods before the record that its times are not known",
+          "let it begin nearer to the record, by `from`");
   }
   for (; time_of(event, k) <= last; ++k) {
     if (time_of(event, k) >= begin) all.push_back({time_of(event, k), number});

@@ -293,7 +293,8 @@ Event read_event(const JsonPlace& place, const VariableIndex& variables) {
   if (event.period && event.time)
     place.fail("'at' and 'every' exclude each other", "say by 'from' when the first one is");
   if (const auto from = place.find("from")) {
-    if (!event.period) from->fail("nothing happens 'every' so long", "write 'at', or add 'every'");
+    if (!event.period)
+      from->fail("nothing happens 'every' so long", "write 'at', or add 'every'");
     event.time = from->number();
   } else if (event.period) {
     event.time = 0.0;

@@ -15,7 +15,8 @@ namespace lacuna {
 inline constexpr std::size_t kDeepestJson = 32;
 
 /// Parses JSON text: every file of JSON that somebody gives is read here.
-/// @throws ModelError naming source, line and column (the end of the token that does not fit) of a
+/// @throws ModelError naming source, line and column (the end of the token that does not fit)
+/// of a
 ///   syntax error or of more levels than kDeepestJson, or source and JSON path of a key that
 ///   stands twice in one object.
 nlohmann::json parse_strict_json(std::string_view text, const std::string& source);

@@ -3,9 +3,9 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/text.hpp"
+#include "folded_text.hpp"
 #include "readable.hpp"
 #include "report/pages/data_summary.hpp"
-#include "folded_text.hpp"
 
 namespace lacuna {
 namespace {
@@ -26,8 +26,9 @@ std::string noise_text(const ChannelSummary& column) {
   if (noise.kind == NoiseKind::None) return "none seen";
   if (!std::isfinite(noise.sigma)) return "not known (values too large)";
   const double span = column.largest - column.least;
-  const std::string fraction =
-      span > 0.0 && std::isfinite(span) ? " (" + percent(noise.sigma / span) + " of the range)" : "";
+  const std::string fraction = span > 0.0 && std::isfinite(span)
+                                   ? " (" + percent(noise.sigma / span) + " of the range)"
+                                   : "";
   return format_number(noise.sigma, 2) + " " + to_string(noise.kind) + fraction;
 }
 

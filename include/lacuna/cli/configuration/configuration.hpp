@@ -22,8 +22,8 @@ namespace lacuna {
 /// keeps the preset's options and changes those given; another type starts at that type's
 /// defaults. `differentiator` is short for `formulation.differentiator`. Options
 /// that belong to no stage are objects beside these (identification_options()). Whatever is
-/// said later wins over what was said before, but an option of a command line (all below that read
-/// no text) over another option: where these differ that is a ConfigError.
+/// said later wins over what was said before, but an option of a command line (all below that
+/// read no text) over another option: where these differ that is a ConfigError.
 class Configuration {
  public:
   Configuration();  ///< nothing is asked for

@@ -55,8 +55,8 @@ class Environment {
 
 TEST(ExportCommand, AnFmuNeedsAFolderAndALibrary) {
   const testing::TemporaryFolder place;
-  const std::vector<std::string> words{"export", "lorenz",      "--format",
-                                       "fmu",    "-o", place.file("x.fmu")};
+  const std::vector<std::string> words{"export", "lorenz", "--format",
+                                       "fmu",    "-o",     place.file("x.fmu")};
   {
     const Environment none("TMPDIR", place.file("none"));
     expect_failure(run_command(words), 2, {"none", "TMPDIR"});

@@ -24,7 +24,8 @@ TEST(OptionValues, SayWhatTheyShouldBe) {
 
 TEST(OptionValues, NoWordIsOfTheParser) {
   const std::vector<std::pair<std::vector<std::string>, std::string>> faults = {
-      {{"identify", "r", "--effort", "QUICK"}, "--effort: 'QUICK' is none of full, normal, quick"},
+      {{"identify", "r", "--effort", "QUICK"},
+       "--effort: 'QUICK' is none of full, normal, quick"},
       {{"identify", "r", "--degree", "abc"}, "--degree: 'abc' is no number"},
       {{"identify", "r", "--degree", "1.5"}, "--degree: '1.5' is no whole number"},
       {{"identify", "r", "--threads", "0"}, "--threads: '0' is no number from 1 to 1024"},

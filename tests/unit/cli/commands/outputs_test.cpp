@@ -28,13 +28,18 @@ class Outputs : public ::testing::Test {
   std::string at(const std::string& name) const { return folder_.file(name); }
 
   void expect_replaces(const OutputFile& output) const {
-    expect_error<ConfigError>([&] { check_outputs({record_}, {output}); }, output.path,
+    expect_error<ConfigError>([&] { check_outputs({record_}, {output}); },
+                              output.option + " " + output.path,
                               "this would replace '" + record_ + "'", "a file of its own");
   }
 
   void expect_same(const OutputFile& first, const OutputFile& second) const {
-    expect_error<ConfigError>([&] { check_outputs({}, {first, second}); }, second.path,
-                              first.option + " goes there too", "a place of its own");
+    expect_error<ConfigError>(
+        [&] {
+          check_outputs({}, {first, second});
+        },
+        second.option + " " + second.path, first.option + " goes there too",
+        "a place of its own");
   }
 
   TemporaryFolder folder_;
@@ -58,8 +63,11 @@ TEST_F(Outputs, PicturesReplaceNothing) {
   fs::create_symlink("../r.csv", at("pictures/orbit.svg"));
   expect_replaces({"--plot", at("pictures"), true});
   expect_same({"--json", at("other/x.svg")}, {"--plot", at("other"), true});
-  expect_error<ConfigError>([] { check_outputs({}, {{"--plot", "-", true}}); }, "--plot -",
-                            "several files", "name a folder");
+  expect_error<ConfigError>(
+      [] {
+        check_outputs({}, {{"--plot", "-", true}});
+      },
+      "--plot -", "several files", "name a folder");
 }
 
 TEST_F(Outputs, ArePossibleBeforeAnyWork) {
@@ -97,8 +105,8 @@ TEST_F(Outputs, AreFoundInEveryCommand) {
 }
 
 TEST_F(Outputs, ADashIsStandardOutput) {
-  const auto run =
-      run_command({"simulate", "lorenz", "--x0", "1,1,1", "--t-end", "1", "--dt", "0.5", "-o", "-"});
+  const auto run = run_command(
+      {"simulate", "lorenz", "--x0", "1,1,1", "--t-end", "1", "--dt", "0.5", "-o", "-"});
   EXPECT_EQ(run.status, 0) << run.err;
   EXPECT_EQ(run.out.substr(0, 8), "t,x,y,z\n");
   EXPECT_FALSE(fs::exists("-"));

@@ -234,9 +234,10 @@ TEST(Configuration, OptionsThatContradictOneAnotherAreRefused) {
   };
   refused([](Configuration& c) { c.set("basis.max_degree=2"); }, "--set basis.max_degree=2",
           "basis.max_degree");
-  refused([](Configuration& c) { c.set("basis=fourier"); }, "--set basis=fourier", "basis.type");
-  refused([](Configuration& c) { c.set(R"(basis={"max_degree": 1})"); }, "--set basis=",
-          "basis.max_degree");
+  refused([](Configuration& c) { c.set("basis=fourier"); }, "--set basis=fourier",
+          "basis.type");
+  refused([](Configuration& c) { c.set(R"(basis={"max_degree": 1})"); },
+          R"(--set basis={"max_degree": 1})", "basis.max_degree");
   refused([](Configuration& c) { c.set_terms("x,y"); }, "--terms", "basis.type");
   Configuration agreeing;
   agreeing.merge_text(R"({"basis": {"max_degree": 5}})", "c.json");  // options go before files

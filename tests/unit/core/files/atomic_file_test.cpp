@@ -97,8 +97,8 @@ TEST(CheckWritable, TriesWithoutLeavingAnything) {
   check_writable("/dev/null");
   EXPECT_EQ(folder.count(), 1);
   EXPECT_EQ(folder.read("there.txt"), "old");
-  for (const std::string& place : {folder.file("none/new.txt"), folder.file("."),
-                                   there + "/new.txt", std::string()})
+  for (const std::string& place :
+       {folder.file("none/new.txt"), folder.file("."), there + "/new.txt", std::string()})
     EXPECT_THROW(check_writable(place), FileError) << place;
 }
 
