@@ -20,7 +20,6 @@
 #include "core/base/utf8.hpp"
 #include "core/files/atomic_file.hpp"
 #include "core/files/near_file.hpp"
-#include "lacuna/data/formats/read.hpp"
 #include "lacuna/dynamics/test_systems/test_systems.hpp"
 #include "lacuna/model/files/model_file.hpp"
 #include "report/pages/folded_text.hpp"

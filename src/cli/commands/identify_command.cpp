@@ -214,6 +214,7 @@ std::vector<AskedOption> asked_options(const IdentifyRequest& request,
   ask(request.integrator != IdentifyRequest{}.integrator, "--integrator",
       kSynchronisationStage);
   ask(!request.held_out.empty(), "--holdout", kValidationStage);
+  ask(request.alternatives.has_value(), "--alternatives", kAlternativesStage);
   if (configuration.says("map") && result.model.is_map())
     asked.push_back({"map", "it says when the record of a flow looks like that of a map"});
   return asked;
