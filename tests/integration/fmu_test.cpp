@@ -209,5 +209,18 @@ TEST(Fmu, WhatCannotBeWrittenIsAnError) {
   EXPECT_EQ(place.read("d.fmu") + place.read("l.fmu"), "");
 }
 
+TEST(Fmu, AnInterruptLeavesNothing) {
+  const TemporaryFolder place;
+  const std::string compiler = place.write("cc.sh", "#!/bin/sh\nkill -INT $PPID\nsleep 60\n");
+  std::filesystem::permissions(compiler, std::filesystem::perms::owner_all);
+  std::filesystem::create_directory(place.file("tmp"));
+  const CommandResult ended =
+      run_program("export lorenz --format fmu -o " + place.file("l.fmu"),
+                  "TMPDIR=" + place.file("tmp") + " CC=" + compiler);
+  EXPECT_EQ(ended.status, 130) << ended.err;
+  EXPECT_TRUE(std::filesystem::is_empty(place.file("tmp")));
+  EXPECT_FALSE(std::filesystem::exists(place.file("l.fmu")));
+}
+
 }  // namespace
 }  // namespace lacuna::testing

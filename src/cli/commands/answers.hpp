@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -22,6 +23,7 @@
 #include "lacuna/trajectories/fit/fit.hpp"
 #include "lacuna/trajectories/fit/rivals.hpp"
 #include "report/pages/data_summary.hpp"
+#include "unused_options.hpp"
 
 namespace lacuna::cli {
 
@@ -44,6 +46,7 @@ struct IdentifyRequest {
 struct IdentifyAnswer {
   IdentificationReport report;
   RecordStream records;
+  std::vector<AskedOption> asked = {};  ///< those of which it is known whether they were used
 
   /// Whether an equation was found that is no identity.
   bool found() const;
@@ -73,6 +76,7 @@ struct DiagnoseRequest {
 struct DiagnoseAnswer {
   Diagnosis diagnosis;
   std::string read = {};  ///< what was read, in a line
+  std::vector<AskedOption> asked = {};  ///< those of which it is known whether they were used
 };
 
 /// @throws ConfigError as diagnosis_options(), and as read_records() and diagnose().
@@ -81,7 +85,8 @@ DiagnoseAnswer answer(const Registry& registry, const DiagnoseRequest& request,
 
 std::string text_of(const DiagnoseAnswer& answer);
 
-/// The augmented model, and every composite model that was judged.
+/// The augmented model, every composite model that was judged, and options that decided
+/// nothing.
 std::string explanation_of(const DiagnoseAnswer& answer, const Digits& digits);
 
 struct FitRequest {
@@ -200,6 +205,9 @@ struct CheckRequest {
 
 /// @throws what read_records() and look_at() throw.
 DataSummary answer(const Registry& registry, const CheckRequest& request);
+
+/// What `export` writes: names of formats, each with a line about it.
+const std::map<std::string, std::string>& exports();
 
 /// For people: the parts of a kind, each with what it does; of an empty kind all names by kind,
 /// with how many there are.

@@ -84,7 +84,8 @@ class StageKeys final : public IdleVisitor {
   }
 };
 
-/// The value of a part in a configuration: its name, or for "irls-l1[ceres]" the stage inside too.
+/// The value of a part in a configuration: its name, or for "irls-l1[ceres]" the stage inside
+/// too.
 void set_value(Configuration& configuration, const Registry& registry, const std::string& kind,
                const std::string& value) {
   const std::size_t open = value.find('[');
@@ -105,15 +106,16 @@ void set_value(Configuration& configuration, const Registry& registry, const std
     configuration.set(kind + "." + keys.names[i] + "=" + parts[i]);
 }
 
-/// Whether "PATH=VALUE" is of the refiner.
-bool names_refiner(const std::string& text) {
-  return text.rfind("refiner.", 0) == 0 || text.rfind("refiner=", 0) == 0;
+/// Whether one of "PATH=VALUE" is of a stage.
+bool any_is_of(const std::vector<std::string>& texts, const std::string& stage) {
+  return std::any_of(texts.begin(), texts.end(), [&](const std::string& text) {
+    return text.starts_with(stage + ".") || text.starts_with(stage + "=");
+  });
 }
 
 /// Whether the refiner is among what differs or what all have.
 bool asks_for_refiner(const BenchRequest& options) {
-  return std::any_of(options.parts.begin(), options.parts.end(), names_refiner) ||
-         std::any_of(options.assignments.begin(), options.assignments.end(), names_refiner);
+  return any_is_of(options.parts, "refiner") || any_is_of(options.assignments, "refiner");
 }
 
 Configuration base_configuration(const BenchRequest& options) {
@@ -123,7 +125,13 @@ Configuration base_configuration(const BenchRequest& options) {
   // What a refiner finds does not depend on most parts; it is compared where it is asked for.
   if (!configuration.says("refiner") && !asks_for_refiner(options))
     configuration.set("refiner=none");
-  if (options.degree) configuration.set_degree(*options.degree);
+  // Where bases are compared it is that of those that have one.
+  if (options.degree && any_is_of(options.parts, "basis"))
+    configuration.merge_text("{\"basis\": {\"type\": \"monomials\", \"max_degree\": " +
+                                 std::to_string(*options.degree) + "}}",
+                             "--degree");
+  else if (options.degree)
+    configuration.set_degree(*options.degree);
   for (const std::string& assignment : options.assignments) configuration.set(assignment);
   return configuration;
 }
@@ -197,14 +205,13 @@ Subject subject_of(const BenchRequest& options) {
 }
 
 int bench_command(const Session& session, const BenchArguments& options) {
-  std::vector<std::string> files = files_read(options.data, {});
-  if (options.config) files.push_back(*options.config);
-  check_outputs(files, with_report({{"--csv", options.csv}}, options.report));
+  check_open(options.report);
   const BenchAnswer found =
       answer(session.registry, options, make_context(session, options.run));
   finish_progress(session, options.run);
   if (options.csv) write_output(session, *options.csv, format_csv(found.result));
-  write_report(session, options.report, [&] { return bench_page(found.result, found.subject); });
+  write_report(session, options.report,
+               [&] { return bench_page(found.result, found.subject); });
   if (options.csv != "-" && options.report.page != "-") show(session, text_of(found));
   const std::string failure = found.failure();
   if (failure.empty()) return 0;
@@ -244,12 +251,14 @@ Command declare_bench(CLI::App& root) {
   auto options = std::make_shared<BenchArguments>();
   CLI::App* app = root.add_subcommand(
       "bench", "Compare parts of identify on data or on a test system, with noise added");
-  app->add_option("DATA", options->data.paths,
-                  "Files or quoted patterns, or the name of a test system (`lacuna list system`)")
+  app->add_option(
+         "DATA", options->data.paths,
+         "Files or quoted patterns, or the name of a test system (`lacuna list system`)")
       ->required();
-  app->add_option("--parts", options->parts,
-                  "What differs, e.g. regressor=ols,irls,stlsq, filter=all, differentiator=all or "
-                  "a number of the configuration (regressor.threshold=0.05,0.1); repeatable")
+  app->add_option(
+         "--parts", options->parts,
+         "What differs, e.g. regressor=ols,irls,stlsq, filter=all, differentiator=all or "
+         "a number of the configuration (regressor.threshold=0.05,0.1); repeatable")
       ->type_name("KIND=LIST")
       ->required();
   app->add_option("--noise", options->noise,
@@ -258,24 +267,26 @@ Command declare_bench(CLI::App& root) {
       ->capture_default_str();
   app->add_option("--draws", options->draws, "Noisy copies for each noise above 0")
       ->type_name("N")
-      ->check(CLI::Range(1, 100000))
+      ->check(from_to(1, 100000))
       ->capture_default_str();
   app->add_option("--samples", options->samples, "Samples of a test system")
       ->type_name("N")
-      ->check(CLI::Range(10, 100000000))
+      ->check(from_to(10, 100000000))
       ->capture_default_str();
-  app->add_option("--preset", options->preset,
-                  "Composition of stages to start from [default: algorithm1], without its refiner")
+  app->add_option(
+         "--preset", options->preset,
+         "Composition of stages to start from [default: algorithm1], without its refiner")
       ->type_name("NAME");
   app->add_option("--config", options->config, "JSON file that overrides the preset by stages")
       ->type_name("FILE");
   app->add_option("--degree", options->degree, "Monomials up to this degree [default: 3]")
       ->type_name("D");
-  app->add_option("--set", options->assignments,
-                  "One value of the configuration that all have, e.g. pruner=keep-all; repeatable")
+  app->add_option(
+         "--set", options->assignments,
+         "One value of the configuration that all have, e.g. pruner=keep-all; repeatable")
       ->type_name("PATH=VALUE");
   app->add_option("--csv", options->csv, "Write a line for each cell; - for standard output")
-      ->type_name("FILE|-");
+      ->type_name(kFile);
   declare_report_options(*app, options->report);
   declare_column_options(*app, options->data, true);
   declare_run_options(*app, options->run);

@@ -37,6 +37,7 @@ Index longest_piece(const Dataset& data, GapOptions gaps) {
 /// The records in the variables of a model, with what is odd about the two together.
 DataSummary summary_for(const Differentiator& differentiator, const CheckRequest& options) {
   const OdeModel model = with_holds(load_flow(*options.model, "check --model"), options.data);
+  check_map(options.data, column_names(model));
   ColumnRoles roles = common_roles(options.data);
   roles.blanks = Blanks::Mark;
   const Dataset data = records_for(model, options.data, roles, differentiator, Columns::All);
@@ -57,9 +58,6 @@ DataSummary summary_for(const Differentiator& differentiator, const CheckRequest
 }
 
 int check_command(const Session& session, const CheckArguments& options) {
-  check_outputs(files_read(options.data, options.model ? std::vector{*options.model}
-                                                       : std::vector<std::string>{}),
-                {{"--json", options.json}});
   make_context(session, options.run).report("reading data", 0.0);
   CheckRequest request{options.data, {}, options.differentiator};
   if (options.model) request.model = {*options.model};
@@ -98,7 +96,7 @@ Command declare_check(CLI::App& root) {
       ->type_name("NAME")
       ->capture_default_str();
   app->add_option("--json", options->json, "Write it as JSON; - for standard output")
-      ->type_name("FILE|-");
+      ->type_name(kFile);
   declare_run_options(*app, options->run);
   return {app, [options](const Session& session) { return check_command(session, *options); }};
 }

@@ -15,6 +15,7 @@
 #include "cli/terminal/shell_text.hpp"
 #include "command.hpp"
 #include "core/base/text.hpp"
+#include "core/base/user_text.hpp"
 #include "core/base/utf8.hpp"
 #include "lacuna/version.hpp"
 
@@ -54,39 +55,6 @@ void describe_program(CLI::App& app) {
   app.require_subcommand(1);
 }
 
-/// Names of all commands, or of all options of a command.
-std::vector<std::string> known_words(CLI::App& app, bool options) {
-  std::vector<std::string> words;
-  if (options) {
-    for (const CLI::Option* option : app.get_options()) words.push_back(option->get_name());
-  } else {
-    for (const CLI::App* command : app.get_subcommands({}))
-      words.push_back(command->get_name());
-  }
-  return words;
-}
-
-/// The first command that has such an option; null where none has.
-const CLI::App* command_with(const CLI::App& app, const std::string& option) {
-  for (const CLI::App* command : app.get_subcommands({}))
-    if (command->get_option_no_throw(option) != nullptr) return command;
-  return nullptr;
-}
-
-/// "did you mean ...?" for the first word that was not expected; empty when there is none.
-std::string hint(CLI::App& app, CLI::App& command) {
-  for (const std::string& word : command.remaining(true)) {
-    const bool option = word.rfind("-", 0) == 0;
-    if (const CLI::App* owner = option ? nullptr : command_with(app, "--" + word))
-      return "'" + word + "' is an option, as in `lacuna " + owner->get_name() + " ... --" + word +
-             "`; ";
-    const auto near = nearest_name(word, known_words(option ? command : app, option));
-    if (near) return "'" + word + "': did you mean '" + *near + "'? ";
-    return "'" + word + "' is not known; ";
-  }
-  return "";
-}
-
 /// An empty text is no value; CLI11 takes it for one. @return the option that has it.
 std::optional<std::string> empty_option(const CLI::App& command) {
   for (const CLI::Option* option : command.get_options())
@@ -106,11 +74,7 @@ std::optional<int> parse(CLI::App& app, int argc, const char* const* argv,
                              ": the value is empty; give one or leave " + "the option out");
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return app.exit(error, streams.out, streams.err);
-    const auto chosen = app.get_subcommands();
-    CLI::App& command = chosen.empty() ? app : *chosen.front();
-    const std::string name = chosen.empty() ? "lacuna" : "lacuna " + command.get_name();
-    return fail(streams, std::string("command line: ") + error.what() + "; " +
-                             hint(app, command) + "see `" + name + " --help`");
+    return fail(streams, "command line: " + cli::sentence_of(error, app));
   }
 }
 
@@ -146,9 +110,14 @@ int run_chosen(const cli::Command& command, const cli::Session& session) {
   try {
     const cli::MemoryLimit limit(memory_of(*command.app));
     cli::keep_freed_memory();
+    cli::check_outputs(cli::files_read_by(*command.app), cli::outputs_of(*command.app));
     return command.run(session);
   } catch (const Cancelled&) {
     return interrupted();
+  } catch (const ArgumentError& error) {  // its place is a function, which users do not know
+    const char* look =
+        error.remedy().empty() ? "; look at what is read with `lacuna check`" : "";
+    return fail(streams, place_of(*command.app) + ": " + user_text(error) + look);
   } catch (const Error& error) {
     // A read that was broken into by an interrupt has failed too.
     return session.stop.stop_requested() ? interrupted() : fail(streams, error.what());
@@ -182,8 +151,31 @@ CLI::App& declare_demo(CLI::App& root, std::vector<std::string>& names) {
   CLI::App* app = root.add_subcommand(
       "demo", "Run the commands to try, with the records that come with the program");
   app->add_option("NAME", names, "Which of them [default: all]")
-      ->check(CLI::IsMember({"check", "diagnose", "identify"}));
+      ->check(cli::one_of({"check", "diagnose", "identify"}));
   return *app;
+}
+
+/// The option of `lacuna help`: the command.
+CLI::App& declare_help(CLI::App& root, std::string& name) {
+  CLI::App* app =
+      root.add_subcommand("help", "Show the help of lacuna, or of one of its commands");
+  app->add_option("COMMAND", name, "Which command [default: what there is]");
+  return *app;
+}
+
+int show_help(const CLI::App& root, const std::string& name, const CliStreams& streams) {
+  std::vector<std::string> names;
+  for (const CLI::App* command : root.get_subcommands({})) {
+    names.push_back(command->get_name());
+    if (names.back() != name) continue;
+    streams.out << command->help("lacuna");
+    return 0;
+  }
+  if (!name.empty())
+    return fail(streams, "help " + name + ": there is no command '" + name + "'; " +
+                             suggestion(name, names));
+  streams.out << root.get_formatter()->make_help(&root, "lacuna", CLI::AppFormatMode::Normal);
+  return 0;
 }
 
 int run_words(int argc, const char* const* argv, cli::Session session,
@@ -229,9 +221,12 @@ int run_words(int argc, const char* const* argv, cli::Session session,
       cli::declare_plan(app),       cli::declare_bench(app),    cli::declare_start(app)};
   std::vector<std::string> names;
   const CLI::App& demo = declare_demo(app, names);
+  std::string topic;
+  const CLI::App& help = declare_help(app, topic);
   cli::arrange_help(app);
   if (const auto status = parse(app, argc, argv, streams))
     return with_output_checked(*status, streams);
+  if (help.parsed()) return with_output_checked(show_help(app, topic, streams), streams);
   if (demo.parsed()) return run_demo(names, session, patience);
 
   std::signal(SIGXFSZ, SIG_IGN);  // a file that grows too large is an error of its write

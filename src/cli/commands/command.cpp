@@ -20,8 +20,6 @@
 #include "core/base/utf8.hpp"
 #include "core/files/atomic_file.hpp"
 #include "core/files/near_file.hpp"
-#include "data/formats/joined_files.hpp"
-#include "lacuna/data/formats/read.hpp"
 #include "lacuna/dynamics/test_systems/test_systems.hpp"
 #include "lacuna/model/files/model_file.hpp"
 #include "report/pages/folded_text.hpp"
@@ -45,7 +43,7 @@ std::string check_seed(const std::string& text) {
   return "'" + text + "' is not a whole number from 0 to 2^64 - 1";
 }
 
-/// A check of a number of seconds; CLI::Range lets NaN through.
+/// A check of a number of seconds.
 std::string check_time_limit(const std::string& text) {
   double value = 0.0;
   const char* end = text.data() + text.size();
@@ -70,21 +68,6 @@ std::string bytes_of(std::string text) {
       value << shift < kLeastMemory)
     throw CLI::ValidationError("'" + text + "' is not a size from 16M on, such as 500M or 4G");
   return std::to_string(value << shift);
-}
-
-/// Pipes and devices hold nothing that could be replaced.
-bool is_stream(const fs::path& path) {
-  std::error_code none;
-  const fs::file_status status = fs::status(path, none);
-  return fs::exists(status) && !fs::is_regular_file(status);
-}
-
-bool same_file(const fs::path& a, const fs::path& b) {
-  if (is_stream(a) || is_stream(b)) return false;
-  std::error_code error;
-  if (fs::equivalent(a, b, error)) return true;
-  const fs::path first = fs::weakly_canonical(fs::absolute(a, error), error);
-  return !error && first == fs::weakly_canonical(fs::absolute(b, error), error) && !error;
 }
 
 /// How progress is shown: on one line of a terminal, in lines of a log, or not at all. A program
@@ -122,7 +105,7 @@ void declare_run_options(CLI::App& app, RunOptions& options) {
   options.threads = static_cast<int>(std::clamp(std::thread::hardware_concurrency(), 1U, 64U));
   app.add_option("--threads", options.threads,
                  "Threads; the result does not depend on it [default: the machine's cores]")
-      ->check(CLI::Range(1, 1024));
+      ->check(from_to(1, 1024));
   options.max_memory = default_memory();
   declare_size_option(
       app, "--max-memory", options.max_memory,
@@ -131,7 +114,7 @@ void declare_run_options(CLI::App& app, RunOptions& options) {
   app.add_option("--progress", options.progress,
                  "Progress on standard error: always, never, auto (on a terminal at once, else "
                  "a line every ten seconds)")
-      ->check(CLI::IsMember({"always", "never", "auto"}))
+      ->check(one_of({"always", "never", "auto"}))
       ->capture_default_str();
 }
 
@@ -146,7 +129,7 @@ void declare_effort_options(CLI::App& app, RunOptions& options) {
   app.add_option("--effort", options.effort,
                  "quick: only what an answer needs; normal: all stages, as far as something "
                  "can be gained; full: all to their end [default: normal]")
-      ->transform(CLI::CheckedTransformer(efforts()).description(""))
+      ->transform(value_of(efforts()))
       ->type_name("quick|normal|full");
   app.add_option("--time-limit", options.time_limit,
                  "Seconds after which the run ends with the answer that it has by then and names "
@@ -189,24 +172,6 @@ void write_output(const Session& session, const std::string& path, const std::st
 void show(const Session& session, const std::string& text) {
   const std::string shown = printable(text);
   session.streams.out << folded(shows_colour(session.streams.out) ? coloured(shown) : shown);
-}
-
-void check_outputs(const std::vector<std::string>& inputs,
-                   const std::vector<OutputFile>& outputs) {
-  const std::vector<std::string> files = single_files(inputs);
-  for (std::size_t i = 0; i < outputs.size(); ++i) {
-    if (!outputs[i].path) continue;
-    const std::string& path = *outputs[i].path;
-    const std::string place = outputs[i].option + " " + path;
-    for (const std::string& file : files)
-      if (same_file(path, file))
-        throw ConfigError(place, "this would replace '" + file + "', which is read",
-                          "give the result a file of its own");
-    for (std::size_t k = 0; k < i; ++k)
-      if (outputs[k].path && (*outputs[k].path == path || same_file(*outputs[k].path, path)))
-        throw ConfigError(place, outputs[k].option + " goes there too",
-                          "give each result a place of its own");
-  }
 }
 
 OdeModel load_model(const ModelSource& source) { return load_system(source).model(); }

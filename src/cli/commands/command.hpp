@@ -14,6 +14,8 @@
 #include "lacuna/core/base/run_context.hpp"
 #include "lacuna/core/base/stages_done.hpp"
 #include "lacuna/model/equations/system_model.hpp"
+#include "option_values.hpp"
+#include "outputs.hpp"
 
 namespace lacuna::cli {
 
@@ -91,18 +93,6 @@ void write_output(const Session& session, const std::string& path, const std::st
 /// Shows text for people in lines of a screen (folded()); nothing in it (a column's name) can act
 /// on the terminal.
 void show(const Session& session, const std::string& text);
-
-/// A file that a command is going to write; without a path it is not asked for.
-struct OutputFile {
-  std::string option;
-  std::optional<std::string> path;
-};
-
-/// Keeps apart what is read and what is written.
-/// @throws ConfigError when a file would replace one that is read, two results would go to one
-///   file, or two to standard output.
-void check_outputs(const std::vector<std::string>& inputs,
-                   const std::vector<OutputFile>& outputs);
 
 /// A model by its file, or as a program has it in memory.
 struct ModelSource {

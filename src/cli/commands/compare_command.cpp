@@ -48,6 +48,7 @@ CompareAnswer compare_model(const Registry& registry, const CompareRequest& opti
   const auto integrator = registry.make<Integrator>(options.integrator);
   const OdeModel model = with_holds(load_flow(options.model, "compare"), options.data);
   const auto differentiator = registry.make<Differentiator>(options.differentiator);
+  check_map(options.data, column_names(model));
   const Dataset data =
       records_for(model, options.data, common_roles(options.data), *differentiator);
   Solution orbit = orbit_of(with_shown_holds(model, data), data, *integrator, context);
@@ -73,7 +74,6 @@ CompareAnswer compare_records(const CompareRequest& options, const RecordSources
 }
 
 int compare_command(const Session& session, const CompareArguments& options) {
-  check_outputs(files_read(options.data, {options.model.path}), {{"--json", options.json}});
   const CompareAnswer found =
       answer(session.registry, options, make_context(session, options.run));
   if (!found.problem.empty()) {
@@ -111,7 +111,7 @@ Command declare_compare(CLI::App& root) {
       ->type_name("NAME")
       ->capture_default_str();
   app->add_option("--json", options->json, "Write the result as JSON; - for standard output")
-      ->type_name("FILE|-");
+      ->type_name(kFile);
   declare_run_options(*app, options->run);
   return {app,
           [options](const Session& session) { return compare_command(session, *options); }};

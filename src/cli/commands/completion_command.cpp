@@ -28,11 +28,15 @@ std::string names_of(const CLI::App& root) {
   return join(names, " ");
 }
 
-/// The cases of a shell's `case` over the commands.
-std::string cases_of(const CLI::App& root) {
-  std::string text;
+/// The cases of a shell's `case` over the commands. @param offer how it offers words behind
+/// `help`, with %s in their place.
+std::string cases_of(const CLI::App& root, const std::string& offer) {
+  const std::size_t place = offer.find("%s");
+  std::string text =
+      "    help) " + std::string(offer).replace(place, 2, names_of(root)) + "; return ;;\n";
   for (const CLI::App* command : root.get_subcommands({}))
-    text += "    " + command->get_name() + ") options='" + options_of(*command) + "' ;;\n";
+    if (command->get_name() != "help")
+      text += "    " + command->get_name() + ") options='" + options_of(*command) + "' ;;\n";
   return text;
 }
 
@@ -47,7 +51,7 @@ std::string bash_script(const CLI::App& root) {
          "    return\n"
          "  fi\n"
          "  case ${COMP_WORDS[1]} in\n" +
-         cases_of(root) +
+         cases_of(root, "COMPREPLY=($(compgen -W '%s' -- \"$word\"))") +
          "  esac\n"
          "  case $word in\n"
          "    -*) COMPREPLY=($(compgen -W \"$options\" -- \"$word\")) ;;\n"
@@ -67,7 +71,7 @@ std::string zsh_script(const CLI::App& root) {
          "  return\n"
          "fi\n"
          "case ${words[2]} in\n" +
-         cases_of(root) +
+         cases_of(root, "compadd %s") +
          "esac\n"
          "if [[ ${words[CURRENT]} == -* ]]; then\n"
          "  compadd -- ${=options}\n"
@@ -84,7 +88,7 @@ Command declare_completion(CLI::App& root) {
       "completion", "Print the script that completes commands and options in a shell");
   app->add_option("SHELL", options->shell, "bash or zsh")
       ->required()
-      ->check(CLI::IsMember({"bash", "zsh"}));
+      ->check(one_of({"bash", "zsh"}));
   return {app, [options, &root](const Session& session) {
             session.streams.out << (options->shell == "bash" ? bash_script(root)
                                                              : zsh_script(root));

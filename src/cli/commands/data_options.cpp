@@ -94,13 +94,6 @@ void declare_column_options(CLI::App& app, DataOptions& options, bool choose_col
       ->type_name("q=N");
 }
 
-std::vector<std::string> files_read(const DataOptions& options,
-                                    const std::vector<std::string>& others) {
-  std::vector<std::string> files = options.paths;
-  files.insert(files.end(), others.begin(), others.end());
-  return files;
-}
-
 /// The symbol of a unit of time, which may be written out ("seconds").
 std::string time_unit_of(const std::string& text) {
   if (auto symbol = time_unit_symbol(text)) return *symbol;
@@ -127,6 +120,25 @@ ColumnRoles common_roles(const DataOptions& options) {
     roles.names.emplace_back(name, column);
   }
   return roles;
+}
+
+std::vector<std::string> column_names(const OdeModel& model) {
+  std::vector<std::string> names;
+  for (const Quantity& state : model.states()) names.push_back(state.name);
+  for (const Quantity& input : model.inputs()) names.push_back(input.name);
+  for (const Output& output : model.outputs()) names.push_back(output.name);
+  return names;
+}
+
+void check_map(const DataOptions& options, std::vector<std::string> known) {
+  known.emplace_back("t");
+  if (options.time) known.push_back(*options.time);
+  if (options.trajectory) known.push_back(*options.trajectory);
+  for (const auto& [name, column] : common_roles(options).names)
+    if (std::find(known.begin(), known.end(), name) == known.end())
+      throw ConfigError("--map " + name + "=" + column,
+                        "the model has no state, input or output '" + name + "'",
+                        suggestion(name, known));
 }
 
 OdeModel with_holds(const OdeModel& model, const DataOptions& options) {

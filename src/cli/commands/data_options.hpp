@@ -45,13 +45,18 @@ void declare_hold_option(CLI::App& app, DataOptions& options);
 /// The option `--map`, which the column options have among them.
 void declare_map_option(CLI::App& app, DataOptions& options);
 
-/// Everything that a command reads: its data and `others`.
-std::vector<std::string> files_read(const DataOptions& options,
-                                    const std::vector<std::string>& others);
-
 /// The roles that the options give to columns in every command: time, step, number of the
 /// record.
 ColumnRoles common_roles(const DataOptions& options);
+
+/// Names that columns can have for a model: its states, inputs and outputs.
+std::vector<std::string> column_names(const OdeModel& model);
+
+/// @param known names of columns for the models, and others that options speak of.
+/// @throws ConfigError where `--map` gives a name that is none of them, nor that of the time or
+/// of
+///   the numbers of records: such a column would be read by nothing.
+void check_map(const DataOptions& options, std::vector<std::string> known);
 
 /// The model with the holds of inputs that the options give. @throws ConfigError when one is
 /// not NAME=HOLD with an input of the model.

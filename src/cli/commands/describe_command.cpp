@@ -30,6 +30,7 @@ std::vector<std::string> all_names(const Registry& registry) {
   for (const RegistryEntry& entry : registry.entries()) names.emplace_back(entry.info.name);
   for (const Preset& preset : presets()) names.push_back(preset.name);
   for (const TestSystem& system : test_systems()) names.push_back(system.name);
+  for (const auto& [name, summary] : exports()) names.push_back(name);
   return names;
 }
 
@@ -43,6 +44,8 @@ std::string description_of(const Registry& registry, const std::string& name) {
     if (preset.name == name) found.push_back(format_preset(preset));
   for (const TestSystem& system : test_systems())
     if (system.name == name) found.push_back(format_system(system));
+  if (const auto format = exports().find(name); format != exports().end())
+    found.push_back(name + " (export)\n  " + format->second + "\n");
   if (found.empty())
     throw ConfigError("describe " + name, "there is no part called '" + name + "'",
                       suggestion(name, all_names(registry)));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <thread>
 
 #include "answers.hpp"
@@ -8,7 +9,9 @@
 #include "command.hpp"
 #include "core/base/parts.hpp"
 #include "core/base/text.hpp"
+#include "core/base/user_text.hpp"
 #include "data_options.hpp"
+#include "diagnose/journey/journey.hpp"
 #include "lacuna/diagnose/journey/diagnose.hpp"
 #include "lacuna/diagnose/journey/fitted_outputs.hpp"
 #include "lacuna/model/files/model_file.hpp"
@@ -65,16 +68,27 @@ DiagnoseRequest request_of(const DiagnoseArguments& options) {
   return request;
 }
 
-DiagnosisOptions make_options(const Registry& registry, const OdeModel& model,
-                              const DiagnoseRequest& options) {
+std::string names_as_json(const nlohmann::json& names) {
+  return names.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+
+Configuration configuration_of(const DiagnoseRequest& options) {
   Configuration configuration;
   if (options.config) configuration.merge_file(*options.config);
+  if (!options.effects.empty())
+    configuration.set_by("--effect", "effects", names_as_json(options.effects));
+  if (options.max_effects) {
+    const std::string most = std::to_string(*options.max_effects);
+    configuration.set_by("--max-effects " + most, "decision.max_effects", most);
+  }
+  if (options.fill_gap) configuration.set_by("--fill-gap", "fill_gap", "true");
   for (const std::string& assignment : options.assignments) configuration.set(assignment);
-  DiagnosisOptions result = diagnosis_options(configuration, registry);
-  if (!options.effects.empty()) result.effects.clear();
-  for (const std::string& name : options.effects)
-    result.effects.push_back(registry.make<Effect>(name));
-  if (options.effects.empty()) result.effects = registry.make_all<Effect>();
+  return configuration;
+}
+
+DiagnosisOptions make_options(const Registry& registry, const OdeModel& model,
+                              const DiagnoseRequest& options) {
+  DiagnosisOptions result = diagnosis_options(configuration_of(options), registry);
   result.effects.insert(result.effects.end(), options.own_effects.begin(),
                         options.own_effects.end());
   for (const std::string& text : options.tolerances) {
@@ -86,8 +100,6 @@ DiagnosisOptions make_options(const Registry& registry, const OdeModel& model,
                           "keep one");
     result.tolerances.push_back(next);
   }
-  if (options.max_effects) result.decision.max_effects = *options.max_effects;
-  result.fill_gap = result.fill_gap || options.fill_gap;
   result.effort = options.effort;
   return result;
 }
@@ -106,12 +118,23 @@ Dataset read_held_out(const OdeModel& model, const DiagnoseRequest& options,
       records_for(model, options.held_out, roles_of(options), differentiator), options.limits);
 }
 
-/// The model, the records, held-out ones and the configuration.
-std::vector<std::string> inputs_of(const DiagnoseArguments& options) {
-  std::vector<std::string> files = files_read(options.data, options.held_out.paths);
-  files.push_back(options.model.path);
-  if (options.config) files.push_back(*options.config);
-  return files;
+/// Options that one stage alone uses, and those without which nothing would have been sought.
+std::vector<AskedOption> asked_options(const DiagnoseRequest& request,
+                                       const Diagnosis& diagnosis) {
+  const Configuration configuration = configuration_of(request);
+  std::vector<AskedOption> asked;
+  const auto ask = [&](bool given, const char* option, const char* stage) {
+    if (given) asked.push_back({option, why_not(stage, diagnosis.stages)});
+  };
+  for (const char* key : {"decision", "criterion"})
+    ask(configuration.says(key), key, kCoefficientsStage);
+  for (const char* key : {"effects", "hypotheses"})
+    ask(configuration.says(key), key, kEffectsStage);
+  ask(!request.tolerances.empty(), "--tolerance", kCoefficientsStage);
+  ask(!request.held_out.empty(), "--holdout", kGapStage);
+  if (configuration.says("fill_gap") && diagnosis.verdict == Verdict::Explained)
+    asked.push_back({"fill_gap", "the effects leave nothing to fill"});
+  return asked;
 }
 
 /// What is diagnosed, and how.
@@ -145,7 +168,7 @@ FleetAnswer answer_of(const std::string& file, const SystemModel& given,
     return fleet_answer(
         file, diagnosed({session.registry, given, request_of(options)}, data, {}, context));
   } catch (const Error& error) {
-    return fleet_failure(file, error.what());
+    return fleet_failure(file, user_text(error));
   }
 }
 
@@ -158,6 +181,7 @@ int diagnose_each(const Session& session, const DiagnoseArguments& options) {
   const SystemModel given = load_system(options.model);
   // What is wrong with the options is said once.
   make_options(session.registry, with_holds(given.model(), options.data), options);
+  check_map(options.data, column_names(given.model()));
   const RunContext context = make_context(session, options.run);
   const std::vector<std::string> files = expand_patterns(options.data.paths);
   std::vector<std::string> texts(files.size());
@@ -175,9 +199,7 @@ int diagnose_each(const Session& session, const DiagnoseArguments& options) {
 }
 
 int diagnose_command(const Session& session, const DiagnoseArguments& options) {
-  check_outputs(inputs_of(options),
-                with_report({{"--model-out", options.model_out}, {"--json", options.json}},
-                            options.report));
+  check_open(options.report);
   if (options.each) return diagnose_each(session, options);
   if (session.team != nullptr && session.team->rank() != 0) return 0;  // nothing is divided
   const DiagnoseAnswer found =
@@ -205,7 +227,7 @@ void declare_search_options(CLI::App& app, DiagnoseArguments& options) {
   app.add_option("--max-effects", options.max_effects,
                  "Name at most so many effects [default: " +
                      std::to_string(DecisionOptions{}.max_effects) + "]")
-      ->check(CLI::Range(0, 20));
+      ->check(from_to(0, 20));
   app.add_option("--config", options.config,
                  "JSON file with decision, criterion, hypotheses, effects")
       ->type_name("FILE");
@@ -231,13 +253,16 @@ DiagnoseAnswer answer(const Registry& registry, const DiagnoseRequest& request,
   const SystemModel given = load_system(request.model);
   const OdeModel model = with_holds(given.model(), request.data);
   const auto differentiator = registry.make<Differentiator>(request.differentiator);
+  check_map(request.data, column_names(model));
   context.unhurried().report("reading data", 0.0);
   const Dataset data = with_given_limits(
       records_for(model, request.data, roles_of(request), *differentiator, Columns::All),
       request.limits);
   const Dataset held_out = read_held_out(model, request, *differentiator);
-  return {diagnosed({registry, given, request}, data, held_out, context),
-          data_line(data, static_cast<Index>(model.inputs().size()))};
+  Diagnosis found = diagnosed({registry, given, request}, data, held_out, context);
+  std::vector<AskedOption> asked = asked_options(request, found);
+  return {std::move(found), data_line(data, static_cast<Index>(model.inputs().size())),
+          std::move(asked)};
 }
 
 std::string text_of(const DiagnoseAnswer& answer) {
@@ -246,7 +271,7 @@ std::string text_of(const DiagnoseAnswer& answer) {
 
 std::string explanation_of(const DiagnoseAnswer& answer, const Digits& digits) {
   return "Augmented model\n" + to_text(rounded(answer.diagnosis.augmented, digits).symbolic()) +
-         "\n" + format_trail(answer.diagnosis);
+         "\n" + format_trail(answer.diagnosis) + unused_text(answer.asked);
 }
 
 Command declare_diagnose(CLI::App& root) {
@@ -271,9 +296,9 @@ Command declare_diagnose(CLI::App& root) {
       ->type_name("NAME")
       ->capture_default_str();
   app->add_option("--model-out", options->model_out, "Write the augmented model")
-      ->type_name("FILE|-");
+      ->type_name(kFile);
   app->add_option("--json", options->json, "Write the diagnosis as JSON; - for standard output")
-      ->type_name("FILE|-");
+      ->type_name(kFile);
   declare_report_options(*app, options->report);
   // Candidates are fitted side by side; all cores are in use unless set otherwise.
   options->run.threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));

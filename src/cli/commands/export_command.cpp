@@ -5,14 +5,17 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <csignal>
 #include <cstdlib>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <memory>
 #include <sstream>
 
-#include "command.hpp"
+#include "answers.hpp"
 #include "core/base/text.hpp"
+#include "core/files/temporary_file.hpp"
 #include "core/files/zip_writer.hpp"
 #include "lacuna/core/base/error.hpp"
 #include "lacuna/model/export/export_model.hpp"
@@ -35,10 +38,11 @@ struct ExportArguments {
 class WorkFolder {
  public:
   WorkFolder() {
-    std::string pattern = (fs::temp_directory_path() / "lacuna-XXXXXX").string();
+    std::string pattern = (temporary_folder() / "lacuna-XXXXXX").string();
     if (mkdtemp(pattern.data()) == nullptr)
-      throw FileError(pattern, "the folder cannot be made",
-                      "set TMPDIR to one that may be written");
+      throw FileError(temporary_folder().string(),
+                      std::string("no folder can be made there: ") + std::strerror(errno),
+                      "set TMPDIR to a folder that may be written");
     path_ = pattern;
   }
   WorkFolder(const WorkFolder&) = delete;
@@ -54,24 +58,44 @@ class WorkFolder {
   fs::path path_;
 };
 
-/// Runs a program with what it prints on standard error in a file. @return whether it ended well.
-bool run(std::vector<std::string> arguments, const std::string& errors) {
+/// Waits for a program that leads a group of its own. @return whether it ended well.
+/// @throws Cancelled, with the group ended, where a stop is asked for (the interrupt guard
+/// breaks
+///   into the wait).
+bool ends_well(pid_t child, const std::stop_token& stop) {
+  int status = 0;
+  while (waitpid(child, &status, 0) < 0) {
+    if (errno != EINTR) return false;
+    if (!stop.stop_requested()) continue;
+    kill(-child, SIGKILL);
+    while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
+    }
+    throw Cancelled();
+  }
+  return WIFEXITED(status) && WEXITSTATUS(status) == 0;
+}
+
+/// Runs a program with what it prints in a file. @return whether it ended well.
+/// @throws Cancelled as ends_well().
+bool run(std::vector<std::string> arguments, const std::string& printed,
+         const std::stop_token& stop) {
   std::vector<char*> pointers;
   for (std::string& argument : arguments) pointers.push_back(argument.data());
   pointers.push_back(nullptr);
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);
-  posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, errors.c_str(),
+  posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, printed.c_str(),
                                    O_WRONLY | O_CREAT | O_TRUNC, 0600);
+  posix_spawn_file_actions_adddup2(&actions, STDERR_FILENO, STDOUT_FILENO);
+  posix_spawnattr_t attributes;
+  posix_spawnattr_init(&attributes);
+  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
   pid_t child = 0;
-  const int failure = posix_spawnp(&child, pointers.front(), &actions, nullptr, pointers.data(),
-                                   environ);
+  const int failure =
+      posix_spawnp(&child, pointers.front(), &actions, &attributes, pointers.data(), environ);
+  posix_spawnattr_destroy(&attributes);
   posix_spawn_file_actions_destroy(&actions);
-  if (failure != 0) return false;
-  int status = 0;
-  while (waitpid(child, &status, 0) < 0)
-    if (errno != EINTR) return false;
-  return WIFEXITED(status) && WEXITSTATUS(status) == 0;
+  return failure == 0 && ends_well(child, stop);
 }
 
 std::string bytes_of_file(const std::string& path) {
@@ -82,7 +106,7 @@ std::string bytes_of_file(const std::string& path) {
 }
 
 /// The shared library of a C source, by the compiler that CC names, else `cc`.
-std::string compiled(const std::string& code) {
+std::string compiled(const std::string& code, const std::stop_token& stop) {
   const WorkFolder folder;
   const std::string source = folder.file("model.c"), library = folder.file("model.so");
   const char* given = std::getenv("CC");
@@ -91,9 +115,9 @@ std::string compiled(const std::string& code) {
   // Fused multiplications would round otherwise than the model does.
   if (run({compiler, "-std=c99", "-O2", "-ffp-contract=off", "-fPIC", "-shared",
            "-fvisibility=hidden", "-o", library, source, "-lm"},
-          folder.file("errors")))
-    return bytes_of_file(library);
-  const std::string said = bytes_of_file(folder.file("errors"));
+          folder.file("printed"), stop))
+    if (std::string bytes = bytes_of_file(library); !bytes.empty()) return bytes;
+  const std::string said = bytes_of_file(folder.file("printed"));
   throw ConfigError("export --format fmu",
                     "the C compiler '" + compiler + "' made no library" +
                         (said.empty() ? "" : ": " + said.substr(0, said.find('\n'))),
@@ -109,33 +133,54 @@ constexpr const char* kPlatform = "linux64";
 constexpr const char* kLibraryEnding = ".so";
 #endif
 
-std::string fmu_archive(const SystemModel& model) {
+std::string fmu_archive(const SystemModel& model, const std::stop_token& stop) {
   const FmuSources sources = fmu_sources(model);
   const std::string name = kFmuName;
   return zip_of({{"modelDescription.xml", sources.description},
-                      {"sources/" + name + ".c", sources.code},
-                      {std::string("binaries/") + kPlatform + "/" + name + kLibraryEnding,
-                       compiled(sources.code)}});
+                 {"sources/" + name + ".c", sources.code},
+                 {std::string("binaries/") + kPlatform + "/" + name + kLibraryEnding,
+                  compiled(sources.code, stop)}});
+}
+
+void check_format(const std::string& format) {
+  std::vector<std::string> known;
+  for (const auto& [name, summary] : exports()) known.push_back(name);
+  if (!exports().contains(format))
+    throw ConfigError("--format " + format, "there is no format '" + format + "'",
+                      suggestion(format, known));
 }
 
 /// LaTeX is read by people, all else by programs.
-std::string exported(const ExportArguments& options) {
+std::string exported(const ExportArguments& options, const std::stop_token& stop) {
+  check_format(options.format);
   const SystemModel model = load_system({options.model});
   if (options.format == "latex")
     return export_model(rounded(model, options.digits), options.format);
   if (options.format != "fmu") return export_model(model, options.format);
   if (options.output == "-")
     throw ConfigError("--format fmu", "an FMU is an archive, no text", "give -o model.fmu");
-  return fmu_archive(model);
+  return fmu_archive(model, stop);
 }
 
 int export_command(const Session& session, const ExportArguments& options) {
-  check_outputs({options.model}, {{"--output", options.output}});
-  write_output(session, options.output, exported(options));
+  write_output(session, options.output, exported(options, session.stop));
   return 0;
 }
 
 }  // namespace
+
+const std::map<std::string, std::string>& exports() {
+  static const std::map<std::string, std::string> kExports{
+      {"c", "A C99 function of the rates of change"},
+      {"cpp", "A C++ function of the rates of change"},
+      {"fmu", "An FMU of FMI 2.0 for co-simulation; takes a C compiler"},
+      {"latex", "The equations as LaTeX"},
+      {"matlab", "A function for MATLAB and Octave, as ode45 takes it"},
+      {"modelica", "A Modelica model"},
+      {"python", "A Python function, as SciPy's solve_ivp takes it"},
+      {"spice", "A netlist for SPICE"}};
+  return kExports;
+}
 
 Command declare_export(CLI::App& root) {
   auto options = std::make_shared<ExportArguments>();
@@ -143,11 +188,13 @@ Command declare_export(CLI::App& root) {
       "export", "Write a model for another program: as its source text, or as an FMU");
   app->add_option("MODEL", options->model, "Model file, or the name of a test system")
       ->required();
-  app->add_option("--format", options->format,
-                  join(export_formats(), ", ") +
-                      ", fmu (FMI 2.0 for co-simulation; takes a C compiler)")
+  app->add_option(
+         "--format", options->format,
+         "One of `lacuna list export`: c, cpp, fmu (FMI 2.0 for co-simulation; takes a C "
+         "compiler), latex, matlab, modelica, python, spice")
       ->required();
-  app->add_option("-o,--output", options->output, "File to write; - is standard output");
+  app->add_option("-o,--output", options->output, "File to write; - is standard output")
+      ->type_name(kFile);
   declare_digits_option(*app, options->digits,
                         "Digits of numbers in LaTeX: auto (two of the 95 % interval), full, or "
                         "so many; programs get all [default: auto]");

@@ -22,7 +22,7 @@ namespace lacuna::cli {
 namespace {
 
 /// What fits into no number is read as the largest one, which no record is as long as.
-constexpr Index kMostSamples = Index{1} << 50U;
+constexpr double kMostSamples = 1125899906842624.0;
 
 struct FitArguments : FitRequest {
   RunOptions run;
@@ -116,12 +116,7 @@ Fit watched_fit(const Session& session, const FitArguments& options) {
 
 int fit_command(const Session& session, FitArguments options) {
   options.fit.deviations = read_deviations(options.deviations);
-  std::vector<std::string> files = files_read(options.data, options.held_out.paths);
-  files.insert(files.end(), options.conditions.paths.begin(), options.conditions.paths.end());
-  files.push_back(options.model.path);
-  check_outputs(files,
-                with_report({{"--model-out", options.model_out}, {"--json", options.json}},
-                            options.report));
+  check_open(options.report);
   options.fit.effort = options.run.effort;
   const std::vector<ModelSource> models = take_models(options);
   if (models.size() > 1) return compare_models(session, options, models);
@@ -137,10 +132,15 @@ int fit_command(const Session& session, FitArguments options) {
   return found.converged ? 0 : 1;
 }
 
-}  // namespace
+/// Names of columns for a model and of those with standard deviations.
+std::vector<std::string> fitted_names(const SystemModel& system, const FitRequest& request) {
+  std::vector<std::string> names = column_names(system.model());
+  for (const KnownDeviation& known : request.fit.deviations) names.push_back(known.column);
+  return names;
+}
 
-Fit answer(const FitRequest& request, const RunContext& context) {
-  const SystemModel system = load_system(request.model);
+/// The fit of one model; columns may have names that it does not know.
+Fit fit_of(const SystemModel& system, const FitRequest& request, const RunContext& context) {
   const OdeModel given = with_holds(system.model(), request.data);
   context.unhurried().report("reading data", 0.0);
   const Dataset data = read(given, request.data, request);
@@ -158,14 +158,27 @@ Fit answer(const FitRequest& request, const RunContext& context) {
   return found;
 }
 
+}  // namespace
+
+Fit answer(const FitRequest& request, const RunContext& context) {
+  const SystemModel system = load_system(request.model);
+  check_map(request.data, fitted_names(system, request));
+  return fit_of(system, request, context);
+}
+
 std::vector<NamedFit> answers(const FitRequest& request, const std::vector<ModelSource>& models,
                               const RunContext& context) {
-  std::vector<NamedFit> fits;
+  std::vector<SystemModel> systems;
+  std::vector<std::string> names;
   for (const ModelSource& model : models) {
-    FitRequest one = request;
-    one.model = model;
-    fits.push_back({model.path, answer(one, context)});
+    systems.push_back(load_system(model));
+    const std::vector<std::string> own = fitted_names(systems.back(), request);
+    names.insert(names.end(), own.begin(), own.end());
   }
+  check_map(request.data, names);
+  std::vector<NamedFit> fits;
+  for (std::size_t i = 0; i < models.size(); ++i)
+    fits.push_back({models[i].path, fit_of(systems[i], request, context)});
   return fits;
 }
 
@@ -184,22 +197,23 @@ Command declare_fit(CLI::App& root) {
   declare_column_options(*app, options->data, false);
   app->add_option("--start-samples", options->fit.window,
                   "First samples of a held-out record, which give its initial state")
-      ->check(CLI::Range(Index{1}, kMostSamples))
+      ->check(from_to(1, kMostSamples))
       ->capture_default_str();
   app->add_option("--start-time", options->fit.start_time,
                   "Time at which records begin and initial values hold, before the first "
                   "sample")
+      ->check(finite())
       ->type_name("T");
   app->add_option("--deviation", options->deviations,
                   "Column with the standard deviation of each value of a column")
       ->type_name("NAME=COLUMN");
   app->add_option("--ahead", options->fit.prediction,
                   "Samples ahead of the error of prediction")
-      ->check(CLI::Range(Index{1}, kMostSamples))
+      ->check(from_to(1, kMostSamples))
       ->capture_default_str();
   app->add_option("--restarts", options->fit.restarts,
                   "Other starts, at most, where residuals stay above the noise")
-      ->check(CLI::Range(0, 100))
+      ->check(from_to(0, 100))
       ->capture_default_str();
   app->add_option("--starts", options->fit.starts,
                   "Starts anywhere in the ranges of parameters, at most, wherever the first fit "
@@ -207,7 +221,7 @@ Command declare_fit(CLI::App& root) {
                       std::to_string(kRangeStarts) + ", with many samples " +
                       std::to_string(kRangeStartsOfMany) +
                       ", where a range is wide and residuals are above the noise]")
-      ->check(CLI::Range(0, 10000));
+      ->check(from_to(0, 10000));
   app->add_flag("--profile", options->fit.profile,
                 "Profiles of the likelihood of every number, however long it takes");
   app->add_flag("--bands", options->fit.bands,
@@ -216,9 +230,9 @@ Command declare_fit(CLI::App& root) {
                   "Times, inputs and initial values of runs to predict, with bands")
       ->type_name("DATA");
   app->add_option("--model-out", options->model_out, "Write the fitted model")
-      ->type_name("FILE|-");
+      ->type_name(kFile);
   app->add_option("--json", options->json, "Write the result as JSON; - for standard output")
-      ->type_name("FILE|-");
+      ->type_name(kFile);
   declare_digits_option(*app, options->digits,
                         "Digits of numbers in a .ode file of --model-out: auto (two of the 95 % "
                         "interval), full, or so many; JSON has all [default: auto]");

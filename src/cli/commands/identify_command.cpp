@@ -59,7 +59,7 @@ void declare_pipeline_options(CLI::App& app, IdentifyArguments& options) {
                  "List so many models of other structure that the record cannot distinguish "
                  "from the best, with criterion and held-out error")
       ->type_name("N")
-      ->check(CLI::Range(1, 1000));
+      ->check(from_to(1, 1000));
   app.add_option("--set", options.assignments,
                  "One value of the configuration, e.g. regressor.threshold=0.05 or "
                  "validation.resolution=1e-4 (see `describe validation`); repeatable")
@@ -69,10 +69,10 @@ void declare_pipeline_options(CLI::App& app, IdentifyArguments& options) {
 void declare_output_options(CLI::App& app, IdentifyArguments& options) {
   app.add_option("--model-out", options.model_out,
                  "Save the model (lacuna.model/1); - for standard output")
-      ->type_name("FILE|-");
+      ->type_name(kFile);
   app.add_option("--json", options.json,
                  "Write the whole result as JSON; - for standard output")
-      ->type_name("FILE|-");
+      ->type_name(kFile);
   declare_report_options(app, options.report);
   app.add_flag("--explain", options.text.explain,
                "Show how the answer came about: fits, noise, removed terms, relations, all "
@@ -92,7 +92,7 @@ Configuration make_configuration(const IdentifyRequest& request) {
   if (request.degree) configuration.set_degree(*request.degree);
   if (request.terms) configuration.set_terms(*request.terms);
   for (const std::string& text : request.constraints) configuration.add_constraint(text);
-  for (const std::string& terms : request.added) configuration.add_terms(terms);
+  if (!request.added.empty()) configuration.add_terms(join(request.added, ","));
   for (const std::string& equation : request.equations) configuration.set_equation(equation);
   for (const std::string& assignment : request.assignments) configuration.set(assignment);
   return configuration;
@@ -197,6 +197,29 @@ void add_alternatives(const IdentifyRequest& request, const IdentificationTask& 
   });
 }
 
+/// Options that one stage alone uses.
+std::vector<AskedOption> asked_options(const IdentifyRequest& request,
+                                       const Configuration& configuration,
+                                       const IdentificationResult& result) {
+  std::vector<AskedOption> asked;
+  const auto ask = [&](bool given, const char* option, const char* stage) {
+    if (given) asked.push_back({option, why_not(stage, result.stages)});
+  };
+  for (const auto& [key, stage] : {std::pair{"forms", kFormsStage},
+                                   {"validation", kValidationStage},
+                                   {"relations", kRelationsStage},
+                                   {"advice", kAdviceStage},
+                                   {"sync", kSynchronisationStage}})
+    ask(configuration.says(key), key, stage);
+  ask(request.integrator != IdentifyRequest{}.integrator, "--integrator",
+      kSynchronisationStage);
+  ask(!request.held_out.empty(), "--holdout", kValidationStage);
+  ask(request.alternatives.has_value(), "--alternatives", kAlternativesStage);
+  if (configuration.says("map") && result.model.is_map())
+    asked.push_back({"map", "it says when the record of a flow looks like that of a map"});
+  return asked;
+}
+
 void check_request(const IdentifyRequest& request) {
   if (request.hidden && *request.hidden != 1)
     throw ConfigError("--hidden", "only one hidden state can be identified",
@@ -210,11 +233,7 @@ void check_request(const IdentifyRequest& request) {
 }
 
 int identify_command(const Session& session, const IdentifyArguments& options) {
-  std::vector<std::string> files = files_read(options.data, options.held_out.paths);
-  if (options.config) files.push_back(*options.config);
-  check_outputs(files,
-                with_report({{"--model-out", options.model_out}, {"--json", options.json}},
-                            options.report));
+  check_open(options.report);
   RunContext context = make_context(session, options.run);
   FirstScreen screen(session.streams.err, session.begin);
   FirstAnswer first = nullptr;
@@ -258,11 +277,13 @@ IdentifyAnswer answer(const Registry& registry, const IdentifyRequest& request,
   IdentificationReport report =
       report_of(std::move(found), task.pipeline, configuration.text());
   if (context.leads()) add_alternatives(request, task, records, report, context.alone());
-  return {std::move(report), std::move(records)};
+  std::vector<AskedOption> asked = asked_options(request, configuration, report.result);
+  return {std::move(report), std::move(records), std::move(asked)};
 }
 
 std::string text_of(const IdentifyAnswer& answer, const TextOptions& options) {
-  return read_line(answer.records) + "\n\n" + format_text(answer.report, options);
+  return read_line(answer.records) + "\n\n" + format_text(answer.report, options) +
+         (options.explain ? unused_text(answer.asked) : "");
 }
 
 Command declare_identify(CLI::App& root) {

@@ -2,6 +2,7 @@
 #include "limit_options.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "assignments.hpp"
@@ -19,7 +20,7 @@ namespace {
 std::optional<double> end_in(const std::string& text, const std::string& part) {
   if (trim(part).empty()) return std::nullopt;
   const auto value = parse_number(trim(part));
-  if (!value) fail(text, "'" + part + "' is not a number");
+  if (!value || std::isnan(*value)) fail(text, "'" + part + "' is not a number");
   return value;
 }
 

@@ -23,6 +23,7 @@ std::vector<Line> all_lines(const Registry& registry) {
     if (!entry.unavailable.empty()) text = "unavailable: " + entry.unavailable + ". " + text;
     lines.push_back({std::string(entry.kind), std::string(entry.info.name), std::move(text)});
   }
+  for (const auto& [name, summary] : exports()) lines.push_back({"export", name, summary});
   for (const Preset& preset : presets())
     lines.push_back({"preset", preset.name, preset.summary});
   for (const TestSystem& system : test_systems())

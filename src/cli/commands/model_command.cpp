@@ -15,7 +15,6 @@ struct ModelArguments {
 
 /// To standard output goes the format that the model does not have yet.
 int model_command(const Session& session, const ModelArguments& options) {
-  check_outputs({options.model}, {{"--output", options.output}});
   const SystemModel model = load_system({options.model});
   const bool was_text = std::filesystem::path(options.model).extension() == ".ode";
   const std::string other = was_text ? "out.json" : "out.ode";
@@ -33,7 +32,8 @@ Command declare_model(CLI::App& root) {
   app->add_option("MODEL", options->model, "Model file, or the name of a test system")
       ->required();
   app->add_option("-o,--output", options->output,
-                  "File to write, .ode or .json; - is standard output, in the other format");
+                  "File to write, .ode or .json; - is standard output, in the other format")
+      ->type_name(kFile);
   return {app, [options](const Session& session) { return model_command(session, *options); }};
 }
 

@@ -8,6 +8,7 @@
 #include "core/base/text.hpp"
 #include "lacuna/core/base/error.hpp"
 #include "lacuna/model/files/model_file.hpp"
+#include "model/files/strict_json.hpp"
 #include "plan_request.hpp"
 
 namespace lacuna::cli {
@@ -91,21 +92,30 @@ PlanModels of_identification(const Json& answer, const std::string& source) {
   return found;
 }
 
+constexpr const char* kAnswerRemedy = "give what fit, diagnose or identify wrote with --json";
+
+Json parsed_answer(const std::string& text, const std::string& source) {
+  try {
+    return parse_strict_json(text, "--after " + source);
+  } catch (const ModelError& error) {
+    throw ConfigError(error.where(), "it is no answer as JSON: " + error.problem(),
+                      kAnswerRemedy);
+  }
+}
+
 }  // namespace
 
 PlanModels models_of_answer(const std::string& text, const std::string& source) {
-  constexpr const char* kRemedy =
-      "give what fit, diagnose or identify wrote with --json";
   try {
-    const Json answer = Json::parse(text);
+    const Json answer = parsed_answer(text, source);
     const auto format = answer.at("format").get<std::string>();
     if (format == "lacuna.fit/1") return of_fit(answer, source);
     if (format == "lacuna.rivals/1") return of_rivals(answer);
     if (format == "lacuna.diagnosis/1") return of_diagnosis(answer, source);
     if (format == "lacuna.identification/1") return of_identification(answer, source);
-    throw ConfigError("--after " + source, "its format is '" + format + "'", kRemedy);
+    throw ConfigError("--after " + source, "its format is '" + format + "'", kAnswerRemedy);
   } catch (const Json::exception&) {
-    throw ConfigError("--after " + source, "it is no answer as JSON", kRemedy);
+    throw ConfigError("--after " + source, "it is no answer as JSON", kAnswerRemedy);
   }
 }
 

@@ -19,24 +19,12 @@ struct PlanArguments : PlanRequest {
   ReportOptions report;
 };
 
-std::vector<OutputFile> outputs_of(const PlanArguments& options) {
-  return with_report({{"--inputs-out", options.inputs_out}, {"--json", options.json}},
-                     options.report);
-}
-
 bool writes_to_output(const PlanArguments& options) {
-  for (const OutputFile& output : outputs_of(options))
-    if (output.path == "-") return true;
-  return false;
+  return options.inputs_out == "-" || options.json == "-" || options.report.page == "-";
 }
 
 int plan_command(const Session& session, const PlanArguments& options) {
-  std::vector<std::string> files = options.data.empty()
-                                       ? std::vector<std::string>{}
-                                       : files_read(options.data, {});
-  files.insert(files.end(), options.models.begin(), options.models.end());
-  if (options.after) files.push_back(*options.after);
-  if (!files.empty()) check_outputs(files, outputs_of(options));
+  check_open(options.report);
   const PlanReport report = answer(options, make_context(session, options.run));
   finish_progress(session, options.run);
   if (options.inputs_out)
@@ -71,63 +59,66 @@ void declare_task(CLI::App& app, PlanArguments& options) {
       ->type_name("NAME=LOW..HIGH");
   app.add_option("--duration", options.duration,
                  "Time of a run, in the model's unit [default: of the longest record]")
+      ->check(finite())
       ->type_name("T");
   app.add_option("--sample", options.step,
                  "Time between two samples [default: as in the records, else 1/200 of a run]")
+      ->check(finite())
       ->type_name("H");
   app.add_option("--times", options.measurements,
                  "So many samples at times that are part of the plan")
-      ->check(CLI::Range(1, 1000));
+      ->check(from_to(1, 1000));
 }
 
 void declare_aim(CLI::App& app, PlanOptions& options) {
   app.add_option("--want", options.aim,
                  "What the experiment is for [default: rivals where there are any]")
-      ->transform(CLI::CheckedTransformer(plan_aims()).description(""))
+      ->transform(value_of(plan_aims()))
       ->type_name("rivals|parameters|both");
   app.add_option("--criterion", options.rivals,
                  "How rivals are compared, each refitted [default: bayes-factor, of the pair "
                  "where it is least]")
-      ->transform(CLI::CheckedTransformer(rival_criteria()).description(""))
+      ->transform(value_of(rival_criteria()))
       ->type_name("bayes-factor|box-hill|hunter-reiner");
   app.add_option("--precision", options.precision,
                  "What is made large of the information matrix [default: d]")
-      ->transform(CLI::CheckedTransformer(precision_criteria()).description(""))
+      ->transform(value_of(precision_criteria()))
       ->type_name("d|a|e|modified-e");
   app.add_option("--parameter", options.parameters, "Parameters that count, no others")
       ->type_name("NAME");
   app.add_option("--runs", options.runs, "Runs, each the best addition to those before")
-      ->check(CLI::Range(1, 100))
+      ->check(from_to(1, 100))
       ->capture_default_str();
   app.add_option("--decisive", options.decisive, "Log Bayes factor that decides")
+      ->check(finite())
       ->capture_default_str();
 }
 
 void declare_plan_search(CLI::App& app, PlanOptions& options) {
   app.add_option("--safe-probability", options.safe_probability,
                  "Probability with which the safe ranges are kept")
-      ->check(CLI::Range(0.0, 1.0))
+      ->check(from_to(0.0, 1.0))
       ->capture_default_str();
   app.add_option("--spread", options.spread,
                  "Standard deviation, as a fraction of the size, of a number of which nothing "
                  "is known")
-      ->check(CLI::PositiveNumber)
+      ->check(above_zero())
       ->capture_default_str();
   app.add_option("--draws", options.draws, "Draws of the parameters in the expectation")
-      ->check(CLI::Range(1, 10000))
+      ->check(from_to(1, 10000))
       ->capture_default_str();
   app.add_option("--safety-draws", options.safety_draws,
                  "Draws of the parameters in the check of the safe ranges")
-      ->check(CLI::Range(1, 1000000))
+      ->check(from_to(1, 1000000))
       ->capture_default_str();
   app.add_option("--candidates", options.candidates, "Random designs of each family")
-      ->check(CLI::Range(1, 1000000))
+      ->check(from_to(1, 1000000))
       ->capture_default_str();
   app.add_option("--searches", options.searches, "Designs, the best, that are improved")
-      ->check(CLI::Range(1, 1000))
+      ->check(from_to(1, 1000))
       ->capture_default_str();
   app.add_option("--evaluations", options.evaluations, "Designs of each search, at most")
-      ->check(CLI::Range(1, 1000000))
+      ->check(from_to(1, 1000000))
       ->capture_default_str();
 }
 
@@ -136,14 +127,14 @@ void declare_outputs(CLI::App& app, PlanArguments& options) {
                                                            {"c", InputFormat::C},
                                                            {"awg", InputFormat::Waveform}};
   app.add_option("--inputs-out", options.inputs_out, "Write the inputs of the experiment")
-      ->type_name("FILE|-");
+      ->type_name(kFile);
   app.add_option("--format", options.format,
                  "How: columns, arrays of C, or text of an arbitrary waveform generator "
                  "[default: csv]")
-      ->transform(CLI::CheckedTransformer(kFormats).description(""))
+      ->transform(value_of(kFormats))
       ->type_name("csv|c|awg");
   app.add_option("--json", options.json, "Write the result as JSON; - for standard output")
-      ->type_name("FILE|-");
+      ->type_name(kFile);
 }
 
 }  // namespace

@@ -162,6 +162,11 @@ void add_time(const PlanRequest& request, const Dataset* data, PlanProblem& prob
 
 PlanProblem problem_of(const PlanRequest& request, const RunContext& context) {
   PlanModels known = models_of(request);
+  std::vector<std::string> names;
+  for (const PlanModel& model : known.models)
+    for (std::string& name : column_names(model.system.model()))
+      names.push_back(std::move(name));
+  check_map(request.data, names);
   std::vector<FittedModel> fits;
   if (!request.data.empty()) fits = fit_models(request, known, context);
   if (known.has_unfitted && fits.empty())

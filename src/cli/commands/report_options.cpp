@@ -31,10 +31,10 @@ void write_pictures(const std::string& folder, const Page& page) {
 void declare_report_options(CLI::App& app, ReportOptions& options) {
   app.add_option("--report", options.page,
                  "Write the answer with its pictures as one HTML page that needs no network")
-      ->type_name("FILE.html|-");
+      ->type_name(kPage);
   app.add_flag("--open", options.open, "Show the page of --report in a browser");
   app.add_option("--plot", options.pictures, "Write the pictures of the page as .svg files")
-      ->type_name("FOLDER");
+      ->type_name(kPictures);
 }
 
 void declare_digits_option(CLI::App& app, Digits& digits, const std::string& description) {
@@ -59,12 +59,10 @@ std::string model_text(const std::string& path, const SystemModel& model,
   return format_model_for(path, is_read_by_people ? rounded(model, digits) : model);
 }
 
-std::vector<OutputFile> with_report(std::vector<OutputFile> others,
-                                    const ReportOptions& options) {
+void check_open(const ReportOptions& options) {
   if (options.open && (!options.page || *options.page == "-"))
-    throw ConfigError("--open", "there is no file to show", "name it: --report answer.html --open");
-  others.push_back({"--report", options.page});
-  return others;
+    throw ConfigError("--open", "there is no file to show",
+                      "name it: --report answer.html --open");
 }
 
 void write_report(const Session& session, const ReportOptions& options,

@@ -33,9 +33,8 @@ void declare_digits_option(
 /// JSON with all.
 std::string model_text(const std::string& path, const SystemModel& model, const Digits& digits);
 
-/// The files that are asked for, with others, for check_outputs().
-std::vector<OutputFile> with_report(std::vector<OutputFile> others,
-                                    const ReportOptions& options);
+/// @throws ConfigError where a browser is asked for and there is no file to show.
+void check_open(const ReportOptions& options);
 
 /// Writes what is asked for; the page is only made then. The folder is made where there is
 /// none. Where no browser can be opened that is said, and the file is there.

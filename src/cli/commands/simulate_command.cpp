@@ -22,7 +22,7 @@ namespace lacuna::cli {
 namespace {
 
 struct SimulateArguments : SimulateRequest {
-  std::optional<std::string> output;
+  std::string output = "-";
   RunOptions run;
 };
 
@@ -116,8 +116,10 @@ Dataset input_records(const OdeModel& model, const SimulateRequest& options) {
   if (options.inputs.empty())
     throw ConfigError("--input-data", "the model has inputs but no record of them is given",
                       "give a file with a column for each input");
-  ColumnRoles roles = common_roles(options.data);
-  roles.time = options.input_time;
+  DataOptions data = options.data;
+  data.time = options.input_time;
+  check_map(data, column_names(model));
+  const ColumnRoles roles = common_roles(data);
   if (!options.inputs.tables.empty())
     return inputs_of_table(model, options.inputs.tables.front(), roles);
   return read_inputs(model, options.inputs.paths.front(), roles);
@@ -274,9 +276,6 @@ std::optional<std::string> not_finite(const Dataset& data) {
 }
 
 int simulate_command(const Session& session, const SimulateArguments& options) {
-  std::vector<std::string> inputs = files_read(options.data, options.inputs.paths);
-  inputs.push_back(options.model.path);
-  check_outputs(inputs, {{"--output", options.output}});
   const SimulateAnswer done =
       answer(session.registry, options, make_context(session, options.run));
   finish_progress(session, options.run);
@@ -287,10 +286,10 @@ int simulate_command(const Session& session, const SimulateArguments& options) {
                         << "; nothing was written, end earlier or start elsewhere\n";
     return 1;
   }
-  if (options.output)
-    write_csv(*options.output, done.data);
-  else
+  if (options.output == "-")
     session.streams.out << format_csv(done.data);
+  else
+    write_csv(options.output, done.data);
   return 0;
 }
 
@@ -301,17 +300,21 @@ void declare_options(CLI::App& app, SimulateArguments& options) {
                  "Start: one number per state, in the order of the model; else its `initial`, of a "
                  "test system its own")
       ->type_name("v1,v2,...");
-  app.add_option("--t-start", options.t_start,
-                 "First time, in the model's time unit; else that of the initial values, that of "
-                 "the input record, or 0")
-      ->capture_default_str();
+  app.add_option(
+         "--t-start", options.t_start,
+         "First time, in the model's time unit; else that of the initial values, that of "
+         "the input record, or 0")
+      ->check(finite());
   app.add_option("--t-end", options.t_end,
-                 "Last time, in the model's time unit [default: the end of the input record]");
-  app.add_option("--dt", options.step,
-                 "Step of the output, in the model's time unit [default: the times of the input "
-                 "record]; of a map, time from one value to the next [default: 1]");
+                 "Last time, in the model's time unit [default: the end of the input record]")
+      ->check(finite());
+  app.add_option(
+         "--dt", options.step,
+         "Step of the output, in the model's time unit [default: the times of the input "
+         "record]; of a map, time from one value to the next [default: 1]")
+      ->check(finite());
   app.add_option("-o,--output", options.output, "CSV file [default: standard output]")
-      ->type_name("FILE");
+      ->type_name(kFile);
   app.add_option("--integrator", options.integrator, "Method; see `lacuna list integrator`")
       ->type_name("NAME")
       ->capture_default_str();

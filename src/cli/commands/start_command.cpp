@@ -11,6 +11,7 @@
 #include "command.hpp"
 #include "core/base/text.hpp"
 #include "core/base/utf8.hpp"
+#include "data/formats/file_kinds.hpp"
 #include "data_options.hpp"
 #include "lacuna/core/base/error.hpp"
 #include "report/pages/data_summary.hpp"
@@ -40,7 +41,10 @@ void check_skeleton(const std::string& path, const StartArguments& options) {
   if (path != "-" && !options.replace && fs::exists(path, none))
     throw FileError("start: " + path, "the file is there already",
                     "name another one with --model-out, or replace it with --replace");
-  check_outputs(options.data.paths, {{"--model-out", path}});
+  std::vector<fs::path> read;
+  for (const std::string& word : options.data.paths)
+    for (fs::path& file : files_named(word)) read.push_back(std::move(file));
+  check_outputs(read, {{"--model-out", path}});
 }
 
 /// The unit that times are read in; nothing where that of the file is right.
@@ -110,7 +114,7 @@ Command declare_start(CLI::App& root) {
   declare_column_options(*app, options->data, true);
   app->add_option("--model-out", options->skeleton,
                   "The skeleton [default: as the record is called, .ode, in this folder]")
-      ->type_name("FILE.ode|-");
+      ->type_name(kModel);
   app->add_flag("--yes", options->yes, "Ask nothing: take what the samples propose");
   app->add_flag("--replace", options->replace, "Write over a skeleton that is there");
   return {app, [options](const Session& session) { return start_command(session, *options); }};

@@ -50,8 +50,7 @@ std::string notes_of(const Dataset& data, const SyncReport& report) {
 }
 
 int sync_command(const Session& session, const SyncArguments& options) {
-  check_outputs(files_read(options.data, {options.model.path}),
-                with_report({{"--json", options.json}}, options.report));
+  check_open(options.report);
   const SyncAnswer found =
       answer(session.registry, options, make_context(session, options.run));
   finish_progress(session, options.run);
@@ -72,6 +71,7 @@ SyncAnswer answer(const Registry& registry, const SyncRequest& request,
   const auto integrator = registry.make<Integrator>(request.integrator);
   const auto differentiator = registry.make<Differentiator>(request.differentiator);
   const std::optional<Matrix> coupling = parse_coupling(model, request.coupling);
+  check_map(request.data, column_names(model));
   context.report("reading data", 0.0);
   Dataset data =
       long_enough(records_for(model, request.data, common_roles(request.data), *differentiator),
@@ -119,7 +119,7 @@ Command declare_sync(CLI::App& root) {
       ->type_name("NAME")
       ->capture_default_str();
   app->add_option("--json", options->json, "Write the result as JSON; - for standard output")
-      ->type_name("FILE|-");
+      ->type_name(kFile);
   declare_report_options(*app, options->report);
   declare_run_options(*app, options->run);
   return {app, [options](const Session& session) { return sync_command(session, *options); }};

@@ -2,9 +2,9 @@
 #include "lacuna/cli/configuration/configuration.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 
-#include "core/base/json_text.hpp"
 #include "core/base/text.hpp"
 #include "core/base/utf8.hpp"
 #include "core/files/file_bytes.hpp"
@@ -17,6 +17,7 @@ namespace lacuna {
 struct Configuration::Document {
   Json root = Json::object();
   std::map<std::string, std::string> said;  ///< by set() and its like: what, and how
+  Json options = Json::object();  ///< what options of a command line give, in the root
 
   /// @throws ConfigError that names both when it has been said before.
   void say(const std::string& what, const std::string& option, const std::string& text) {
@@ -25,6 +26,8 @@ struct Configuration::Document {
     throw ConfigError(option + " " + text,
                       what + " is given twice, first as '" + first->second + "'", "keep one");
   }
+
+  void merge_option(const Json& given, const std::string& text);
 };
 
 namespace {
@@ -46,32 +49,11 @@ bool is_stage_key(const std::string& key) {
   return key == "criterion" || is_in(kStageKeys, key);
 }
 
-/// Levels of objects and lists; a stage in a stage in a stage has five.
-constexpr int kDeepest = 32;
-
-[[noreturn]] void fail_too_deep(const std::string& source) {
-  throw ConfigError(source, "nested deeper than " + std::to_string(kDeepest) + " levels",
-                    "a configuration has a few: stage, option, value");
-}
-
 Json parse_document(std::string_view text, const std::string& source) {
-  const auto check_depth = [&](int depth, Json::parse_event_t, Json&) {
-    if (depth > kDeepest) fail_too_deep(source);
-    return true;
-  };
   try {
-    Json parsed = Json::parse(text, check_depth);
-    if (const auto path = repeated_key(text))
-      throw ConfigError(source + ": " + *path, "the key stands twice in its object",
-                        "remove one of them");
-    return parsed;
-  } catch (const Json::parse_error& error) {
-    throw ConfigError(source + ":" + line_and_column(text, error.byte), "this is not JSON",
-                      "check quotes, commas and brackets up to this place");
-  } catch (const Json::exception&) {
-    const std::size_t byte = overflowing_number(text).value_or(1);
-    throw ConfigError(source + ":" + line_and_column(text, byte),
-                      "a number is out of the range of a double", "use a smaller exponent");
+    return parse_strict_json(text, source);
+  } catch (const ModelError& error) {
+    throw ConfigError(error.where(), error.problem(), error.remedy());
   }
 }
 
@@ -93,6 +75,19 @@ void merge_into(Json& target, const Json& given) {
     else
       target[key] = value;
   }
+}
+
+/// The path of the first value that both give, and not the same: "basis.max_degree".
+std::optional<std::string> disagreement(const Json& before, const Json& given,
+                                        const std::string& path = "") {
+  if (!before.is_object() || !given.is_object())
+    return before == given ? std::nullopt : std::optional(path);
+  for (const auto& [key, value] : given.items()) {
+    if (!before.contains(key)) continue;
+    auto found = disagreement(before.at(key), value, path + (path.empty() ? "" : ".") + key);
+    if (found) return found;
+  }
+  return std::nullopt;
 }
 
 /// {"a": {"b": value}} from "a.b".
@@ -188,7 +183,7 @@ NamedCoefficient read_summand(const std::string& text, const std::string& where)
   double factor = 1.0;
   if (const std::size_t blank = state.find(' '); blank != std::string::npos) {
     const auto number = parse_number(state.substr(0, blank));
-    if (!number)
+    if (!number || !std::isfinite(*number))
       throw ConfigError(where, "'" + state.substr(0, blank) + "' is no number",
                         "write the factor in front of the state: \"-2 y: x*z\"");
     factor = *number;
@@ -209,7 +204,7 @@ EquationConstraint read_constraint(const std::string& text, const std::string& w
     throw ConfigError(where, "'" + text + "' has no =, < or >",
                       "write e.g. --constraint \"y: x*z, z: x*y = 0\" or \"y: x < 0\"");
   const auto value = parse_number(std::string(trim(std::string_view(text).substr(sign + 1))));
-  if (!value)
+  if (!value || !std::isfinite(*value))
     throw ConfigError(where, std::string("what stands behind ") + text[sign] + " is no number",
                       "write e.g. \"w: u = 1\"");
   const bool has_two = text[sign] == '=' && sign > 0 && (text[sign - 1] == '<' ||
@@ -249,6 +244,17 @@ Json with_differentiator_inside(Json root) {
 
 }  // namespace
 
+/// What an option gives replaces what files say, nothing that another option gives.
+/// @param text the option, for messages.
+/// @throws ConfigError where another option says otherwise.
+void Configuration::Document::merge_option(const Json& given, const std::string& text) {
+  if (const auto path = disagreement(options, given))
+    throw ConfigError(text, "another option gives '" + *path + "' too, and not the same",
+                      "keep one");
+  merge_into(options, given);
+  merge_into(root, given);
+}
+
 Configuration::Configuration() : document_(std::make_unique<Document>()) {}
 Configuration::Configuration(const Configuration& other)
     : document_(std::make_unique<Document>(*other.document_)) {}
@@ -281,30 +287,42 @@ void Configuration::set(std::string_view assignment) {
   if (equals == std::string_view::npos || path.empty())
     throw ConfigError(source, "this is not PATH=VALUE",
                       "write e.g. --set regressor.threshold=0.05");
-  if (std::count(path.begin(), path.end(), '.') >= kDeepest) fail_too_deep(source);
+  if (static_cast<std::size_t>(std::count(path.begin(), path.end(), '.')) >= kDeepestJson)
+    throw ConfigError(source, "nested deeper than " + std::to_string(kDeepestJson) + " levels",
+                      "a configuration has a few: stage, option, value");
   document_->say("'" + std::string(path) + "'", "--set", std::string(assignment));
   const Json value = value_of(trim(assignment.substr(equals + 1)), source);
-  merge_into(document_->root, with_stage_objects(nested_value(path, value)));
+  document_->merge_option(with_stage_objects(nested_value(path, value)), source);
 }
 
-void Configuration::set_preset(const std::string& name) { document_->root["preset"] = name; }
+void Configuration::set_preset(const std::string& name) {
+  document_->merge_option({{"preset", name}}, "--preset " + name);
+}
 
 void Configuration::set_discrete() {
-  document_->root["formulation"] = Json{{"type", "next-sample"}};
+  document_->root["formulation"] = Json::object();
+  document_->merge_option({{"formulation", {{"type", "next-sample"}}}}, "--discrete");
   document_->root["refiner"] = Json{{"type", "none"}};
 }
 
 void Configuration::set_degree(int degree) {
-  merge_text(Json{{"basis", {{"type", "monomials"}, {"max_degree", degree}}}}.dump(),
-             "--degree");
+  document_->merge_option({{"basis", {{"type", "monomials"}, {"max_degree", degree}}}},
+                          "--degree " + std::to_string(degree));
 }
 
 void Configuration::set_terms(std::string_view list) {
-  document_->root["basis"] = Json{{"type", "expressions"}, {"terms", split_list(list)}};
+  document_->root["basis"] = Json::object();
+  document_->merge_option({{"basis", {{"type", "expressions"}, {"terms", split_list(list)}}}},
+                          "--terms");
 }
 
 void Configuration::add_terms(std::string_view list) {
-  merge_into(document_->root, Json{{"basis", {{"include", split_list(list)}}}});
+  document_->merge_option({{"basis", {{"include", split_list(list)}}}}, "--add");
+}
+
+void Configuration::set_by(const std::string& option, std::string_view path,
+                           std::string_view json) {
+  document_->merge_option(nested_value(path, parse_document(json, option)), option);
 }
 
 void Configuration::set_equation(std::string_view text) {

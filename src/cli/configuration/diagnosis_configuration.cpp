@@ -17,23 +17,22 @@ void check_diagnosis_keys(const Json& root) {
                         suggestion(key, kKeys));
 }
 
-/// The names in a list of the configuration; those of the registry where there is no list.
-std::vector<std::string> names_in(const Json& root, const std::string& key,
-                                  std::vector<std::string> otherwise) {
-  if (!root.contains(key)) return otherwise;
-  const Json& list = root.at(key);
+/// The names in a list of the configuration. @param known for the message.
+std::vector<std::string> names_in(const Json& list, const std::string& key,
+                                  const std::vector<std::string>& known) {
   const auto is_text = [](const Json& name) { return name.is_string(); };
   if (!list.is_array() || !std::all_of(list.begin(), list.end(), is_text))
     throw ConfigError("$." + key, list.dump() + " is not a list of names",
-                      "give a list, e.g. " + key + "=[\"" + otherwise.front() + "\"]");
+                      "give a list, e.g. " + key + "=[\"" + known.front() + "\"]");
   return list.get<std::vector<std::string>>();
 }
 
 template <class Interface>
 std::vector<Stage<Interface>> stages(const Registry& registry, const Json& root,
                                      const std::string& key) {
+  if (!root.contains(key)) return registry.make_all<Interface>();
   std::vector<Stage<Interface>> result;
-  for (const std::string& name : names_in(root, key, registry.names(Interface::kKind)))
+  for (const std::string& name : names_in(root.at(key), key, registry.names(Interface::kKind)))
     result.push_back(registry.make<Interface>(name));
   return result;
 }

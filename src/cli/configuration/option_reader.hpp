@@ -10,7 +10,8 @@
 
 namespace lacuna {
 
-using Json = nlohmann::ordered_json;
+/// Sorted: that of an ordered one looks through all its keys for one.
+using Json = nlohmann::json;
 
 /// Fills options from a JSON object, on top of another; strict about names, types and ranges.
 class OptionReader final : public OptionVisitor {

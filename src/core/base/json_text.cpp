@@ -32,6 +32,17 @@ std::string line_and_column(std::string_view text, std::size_t byte) {
   return std::to_string(line) + ":" + std::to_string(column);
 }
 
+std::optional<std::size_t> deeper_than(std::size_t levels, std::string_view text) {
+  std::size_t level = 0;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    if (c == '"') i = end_of_string(text, i) - 1;
+    if ((c == ']' || c == '}') && level > 0) --level;
+    if ((c == '[' || c == '{') && ++level > levels) return i + 1;
+  }
+  return std::nullopt;
+}
+
 std::optional<std::size_t> overflowing_number(std::string_view text) {
   for (std::size_t i = 0; i < text.size();) {
     if (text[i] == '"') {

@@ -99,15 +99,25 @@ void sync_folder(const fs::path& file) {
   close(descriptor);
 }
 
-/// A pipe or a device (/dev/stdout) has no content that could be left half replaced.
+/// A new file beside the target. "x": never write into one that somebody else has opened under
+/// the same name.
+File open_new(const fs::path& temporary) { return File(std::fopen(temporary.c_str(), "wbx")); }
+
+void check_target(const fs::path& path) {
+  std::error_code none;
+  if (path.empty()) fail(path, "no file name given");
+  if (fs::is_directory(path, none)) fail(path, "it is a folder");
+}
+
+}  // namespace
+
 bool is_stream(const fs::path& path) {
   std::error_code ignored;
   const fs::file_status status = fs::status(path, ignored);
   return fs::is_character_file(status) || fs::is_fifo(status) || fs::is_socket(status);
 }
 
-/// The file behind symbolic links, there or not yet, so that the links stay what they are.
-fs::path real_target(const fs::path& path) {
+fs::path written_file(const fs::path& path) {
   constexpr int kMostLinks = 40;  // as in the kernel
   fs::path target = path;
   std::error_code error;
@@ -118,23 +128,30 @@ fs::path real_target(const fs::path& path) {
   fail(path, "its links lead in a circle");
 }
 
-}  // namespace
+void check_writable(const fs::path& path) {
+  check_target(path);
+  if (is_stream(path)) {
+    if (access(path.c_str(), W_OK) != 0) fail(path, std::strerror(errno));
+    return;
+  }
+  const std::lock_guard one_at_a_time(files());
+  const Temporary temporary(temporary_name(written_file(path)));
+  if (!open_new(temporary.path())) fail(path, std::strerror(errno));
+}
 
 void write_file_atomically(const fs::path& path, std::string_view content) {
-  std::error_code error;
-  if (path.empty()) fail(path, "no file name given");
-  if (fs::is_directory(path, error)) fail(path, "it is a folder");
+  check_target(path);
   if (is_stream(path)) {
     write_all(File(std::fopen(path.c_str(), "wb")), path, content);
     return;
   }
-  const fs::path target = real_target(path);
+  const fs::path target = written_file(path);
   const std::lock_guard one_at_a_time(files());
   Temporary temporary(temporary_name(target));
-  // "x": never write into a file that somebody else has opened under the same name.
-  File file(std::fopen(temporary.path().c_str(), "wbx"));
+  File file = open_new(temporary.path());
   take_over_rights(file, target);
   write_all(std::move(file), path, content);
+  std::error_code error;
   fs::rename(temporary.path(), target, error);
   if (error) fail(path, error.message());
   temporary.keep();

@@ -20,11 +20,6 @@ namespace {
                   "set TMPDIR to a folder that can be written to and has space");
 }
 
-std::filesystem::path temporary_folder() {
-  const char* given = std::getenv("TMPDIR");
-  return given != nullptr && *given != '\0' ? given : "/tmp";
-}
-
 /// A file whose name is taken away before there is anything in it.
 int open_without_name(const std::filesystem::path& folder) {
   std::string name = (folder / "lacuna-XXXXXX").string();
@@ -35,6 +30,11 @@ int open_without_name(const std::filesystem::path& folder) {
 }
 
 }  // namespace
+
+std::filesystem::path temporary_folder() {
+  const char* given = std::getenv("TMPDIR");
+  return given != nullptr && *given != '\0' ? given : "/tmp";
+}
 
 TemporaryFile::TemporaryFile()
     : folder_(temporary_folder()), handle_(open_without_name(folder_)) {}

@@ -9,6 +9,9 @@
 
 namespace lacuna {
 
+/// The folder for temporary files: $TMPDIR, else /tmp.
+std::filesystem::path temporary_folder();
+
 /// A file without a name in the folder for temporary files ($TMPDIR, else /tmp): it is gone
 /// with its last handle, however the program ends.
 class TemporaryFile {

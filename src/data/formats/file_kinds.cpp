@@ -3,10 +3,12 @@
 
 #include <algorithm>
 #include <array>
+#include <climits>
 #include <system_error>
 
 #include "data/records/text_field.hpp"
 #include "data/sheets/workbook.hpp"
+#include "joined_files.hpp"
 #include "lacuna/core/base/error.hpp"
 
 namespace lacuna {
@@ -82,6 +84,28 @@ FileAndSheet file_and_sheet(const std::filesystem::path& path) {
   const std::filesystem::path file = text.substr(0, sign);
   if (!std::filesystem::exists(file, ignored)) return {path, std::nullopt};
   return {file, text.substr(sign + 1)};
+}
+
+std::vector<std::filesystem::path> files_named(std::string_view word) {
+  std::vector<std::filesystem::path> files;
+  std::vector<std::size_t> begins{0}, ends{word.size()};
+  for (std::size_t i = 0; i < word.size(); ++i) {
+    if (word[i] == '+') begins.push_back(i + 1);
+    if (word[i] == '+' || word[i] == '#') ends.push_back(i);
+  }
+  for (const std::size_t begin : begins)
+    for (const std::size_t end : ends) {
+      if (end <= begin || end - begin > PATH_MAX) continue;
+      const std::string name(word.substr(begin, end - begin));
+      std::error_code ignored;
+      if (name == "-")
+        files.emplace_back("/dev/stdin");
+      else if (std::filesystem::exists(name, ignored))
+        files.emplace_back(name);
+      else
+        for (std::string& match : files_that_match(name)) files.emplace_back(std::move(match));
+    }
+  return files;
 }
 
 void check_sheet(const std::optional<std::string>& sheet, FileKind kind,

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace lacuna {
 
@@ -35,6 +36,12 @@ struct FileAndSheet {
 
 /// Takes a name apart; what exists as it is written names no sheet.
 FileAndSheet file_and_sheet(const std::filesystem::path& path);
+
+/// Every file that is there and that a word of a command line may name: as it stands, as a
+/// pattern, in front of a '#' (the sheet of a workbook), between two '+' (files that are
+/// joined);
+/// "-" is standard input. It may name too many, never too few.
+std::vector<std::filesystem::path> files_named(std::string_view word);
 
 /// @throws DataError where a sheet is named of what is no workbook.
 void check_sheet(const std::optional<std::string>& sheet, FileKind kind,

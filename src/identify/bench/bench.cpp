@@ -9,6 +9,7 @@
 #include "core/base/check.hpp"
 #include "core/base/random.hpp"
 #include "core/base/text.hpp"
+#include "core/base/user_text.hpp"
 #include "lacuna/dynamics/integration/runge_kutta.hpp"
 #include "lacuna/dynamics/integration/synchroniser.hpp"
 #include "lacuna/model/equations/compare_models.hpp"
@@ -66,7 +67,7 @@ BenchCell cell_of(const BenchTask& task, std::size_t composition, double noise,
     } catch (const Cancelled&) {
       throw;
     } catch (const Error& error) {
-      cell.failures.emplace_back(error.what());
+      cell.failures.push_back(user_text(error));
     }
   }
   return cell;

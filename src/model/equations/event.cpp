@@ -18,6 +18,7 @@ double time_of(const Event& event, double number) {
 void add_occurrences(const std::vector<Event>& events, std::size_t number, double begin,
                      double end, std::vector<Occurrence>& all) {
   constexpr double kMost = 1e6;  // a fact of memory
+  constexpr double kLargestNumber = 9007199254740992.0;  // a fact of doubles: 2^53 + 1 is 2^53
   const Event& event = events[number];
   const double last = std::min(end, event.last.value_or(end));
   double k = 0.0;
@@ -27,6 +28,11 @@ void add_occurrences(const std::vector<Event>& events, std::size_t number, doubl
                        "it happens more than a million times in the record",
                        "give a longer period, or an end by `until`");
     k = std::max(0.0, std::ceil((begin - *event.time) / *event.period) - 1.0);
+    if (!(k < kLargestNumber))
+      throw ModelError(
+          "event " + occasion_text(event),
+          "it began so many periods before the record that its times are not known",
+          "let it begin nearer to the record, by `from`");
   }
   for (; time_of(event, k) <= last; ++k) {
     if (time_of(event, k) >= begin) all.push_back({time_of(event, k), number});

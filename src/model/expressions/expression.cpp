@@ -41,6 +41,9 @@ void check_name(const std::string& name) {
   if (!is_identifier(name))
     throw ModelError("variable '" + name + "'", "the name is not an identifier",
                      "use letters, digits and underscores, a letter first");
+  if (name == "nan" || name == "inf")
+    throw ModelError("variable '" + name + "'", "'" + name + "' is no finite number",
+                     "write a number");
   if (is_reserved_name(name) && name != "t")
     throw ModelError("variable '" + name + "'", "the name is a word of the formula language",
                      "choose another name");

@@ -290,7 +290,15 @@ Event read_event(const JsonPlace& place, const VariableIndex& variables) {
   Event event{.time = read_number(place, "at"),
               .period = read_number(place, "every"),
               .last = read_number(place, "until")};
-  if (event.period) event.time = read_number(place, "from").value_or(0.0);
+  if (event.period && event.time)
+    place.fail("'at' and 'every' exclude each other", "say by 'from' when the first one is");
+  if (const auto from = place.find("from")) {
+    if (!event.period)
+      from->fail("nothing happens 'every' so long", "write 'at', or add 'every'");
+    event.time = from->number();
+  } else if (event.period) {
+    event.time = 0.0;
+  }
   if (const auto condition = place.find("when")) event.guard = read_guard(*condition, variables);
   const JsonPlace set = place.at("set");
   for (const std::string& name : set.keys()) {

@@ -98,9 +98,20 @@ std::string type_text(const json& value) {
   return value.is_null() ? "null" : std::string("a JSON ") + value.type_name();
 }
 
+/// The path of the first key that stands twice in one object of a JSON text, "$.basis.type".
+std::optional<std::string> repeated_key(std::string_view text) {
+  KeyWatcher watcher;
+  json::sax_parse(text, &watcher);
+  return watcher.repeated();
+}
+
 }  // namespace
 
 json parse_strict_json(std::string_view text, const std::string& source) {
+  if (const auto byte = deeper_than(kDeepestJson, text))
+    throw ModelError(position_text(text, *byte, source),
+                     "nested deeper than " + std::to_string(kDeepestJson) + " levels",
+                     "check the brackets there; what is read has a few levels");
   json parsed;
   try {
     parsed = json::parse(text);
@@ -115,12 +126,6 @@ json parse_strict_json(std::string_view text, const std::string& source) {
     throw ModelError(source + ": " + *path, "the key stands twice in its object",
                      "remove one of them");
   return parsed;
-}
-
-std::optional<std::string> repeated_key(std::string_view json_text) {
-  KeyWatcher watcher;
-  json::sax_parse(json_text, &watcher);
-  return watcher.repeated();
 }
 
 void JsonPlace::expect_keys(std::initializer_list<std::string_view> known) const {

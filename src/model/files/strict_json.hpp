@@ -10,14 +10,16 @@
 
 namespace lacuna {
 
-/// Parses JSON text.
-/// @throws ModelError naming source, line and column (the end of the token that does not fit)
-/// of
-///   a syntax error, or source and JSON path of a key that stands twice in one object.
-nlohmann::json parse_strict_json(std::string_view text, const std::string& source);
+/// A decision: levels of objects and lists that an input may have. What is written here has at
+/// most eight, a stage in a stage in a stage five.
+inline constexpr std::size_t kDeepestJson = 32;
 
-/// The path of the first key that stands twice in one object of a JSON text, "$.basis.type".
-std::optional<std::string> repeated_key(std::string_view json);
+/// Parses JSON text: every file of JSON that somebody gives is read here.
+/// @throws ModelError naming source, line and column (the end of the token that does not fit)
+/// of a
+///   syntax error or of more levels than kDeepestJson, or source and JSON path of a key that
+///   stands twice in one object.
+nlohmann::json parse_strict_json(std::string_view text, const std::string& source);
 
 /// A place in a JSON document: its value and the path to it, for messages.
 class JsonPlace {

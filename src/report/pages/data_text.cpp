@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "core/base/text.hpp"
+#include "folded_text.hpp"
 #include "readable.hpp"
 #include "report/pages/data_summary.hpp"
-#include "folded_text.hpp"
 
 namespace lacuna {
 namespace {
@@ -23,9 +24,11 @@ std::string noise_text(const ChannelSummary& column) {
   if (!column.channel->measured) return "made from others";
   const StateNoise& noise = column.channel->noise;
   if (noise.kind == NoiseKind::None) return "none seen";
+  if (!std::isfinite(noise.sigma)) return "not known (values too large)";
   const double span = column.largest - column.least;
-  const std::string fraction =
-      span > 0.0 ? " (" + percent(noise.sigma / span) + " of the range)" : "";
+  const std::string fraction = span > 0.0 && std::isfinite(span)
+                                   ? " (" + percent(noise.sigma / span) + " of the range)"
+                                   : "";
   return format_number(noise.sigma, 2) + " " + to_string(noise.kind) + fraction;
 }
 

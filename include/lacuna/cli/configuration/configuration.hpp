@@ -22,7 +22,8 @@ namespace lacuna {
 /// keeps the preset's options and changes those given; another type starts at that type's
 /// defaults. `differentiator` is short for `formulation.differentiator`. Options
 /// that belong to no stage are objects beside these (identification_options()). Whatever is
-/// said later wins over what was said before.
+/// said later wins over what was said before, but an option of a command line (all below that
+/// read no text) over another option: where these differ that is a ConfigError.
 class Configuration {
  public:
   Configuration();  ///< nothing is asked for
@@ -55,6 +56,9 @@ class Configuration {
 
   /// Terms beside those of the library, "sin(th),x*abs(x)"; for the basis `monomials`.
   void add_terms(std::string_view list);
+
+  /// One value that an option of its own gives: "--max-effects 3", "decision.max_effects", "3".
+  void set_by(const std::string& option, std::string_view path, std::string_view json);
 
   /// The terms of one equation, "dw: sin(th),w,u". @throws ConfigError without the colon.
   void set_equation(std::string_view text);

@@ -12,10 +12,10 @@ using testing::TemporaryFolder;
 
 TEST(BenchCommand, ComparesPartsOnATestSystem) {
   const TemporaryFolder folder;
-  const auto result = run_command({"bench", "lorenz", "--parts", "regressor=ols,stlsq", "--parts",
-                                   "pruner=keep-all", "--noise", "0,0.01", "--draws", "2",
-                                   "--degree", "2", "--csv", folder.file("b.csv"), "--report",
-                                   folder.file("b.html"), "--samples", "1500"});
+  const auto result = run_command({"bench", "lorenz", "--parts", "regressor=ols,stlsq",
+                                   "--parts", "pruner=keep-all", "--noise", "0,0.01", "--draws",
+                                   "2", "--degree", "2", "--csv", folder.file("b.csv"),
+                                   "--report", folder.file("b.html"), "--samples", "1500"});
   EXPECT_EQ(result.status, 0) << result.err;
   EXPECT_THAT(result.out, HasSubstr("Noise 0 %"));
   EXPECT_THAT(result.out, HasSubstr("Without a refiner"));
@@ -38,8 +38,8 @@ TEST(BenchCommand, ComparesOnARecordWithNumbersOfTheConfigurationToo) {
 }
 
 TEST(BenchCommand, AllTakesEveryVariantOfAKind) {
-  const auto result = run_command({"bench", "lorenz", "--parts", "differentiator=all", "--degree",
-                                   "2", "--samples", "400", "--csv", "-"});
+  const auto result = run_command({"bench", "lorenz", "--parts", "differentiator=all",
+                                   "--degree", "2", "--samples", "400", "--csv", "-"});
   EXPECT_EQ(result.status, 0) << result.err;
   for (const char* name : {"finite-differences", "kalman", "smoothing-spline", "auto"})
     EXPECT_THAT(result.out, HasSubstr(std::string("\n") + name + ","));
@@ -56,11 +56,21 @@ TEST(BenchCommand, ComparesRefinersWhereTheyAreAskedFor) {
 TEST(BenchCommand, SaysWhatIsWrong) {
   expect_failure(run_command({"bench", "lorenz", "--parts", "regressor"}), 2, {"KIND=a,b"});
   expect_failure(run_command({"bench", "lorenz", "--parts", "regressor=olss"}), 2, {"ols"});
-  expect_failure(run_command({"bench", "lorenz", "--parts", "regressor=ols,ols"}), 2, {"twice"});
+  expect_failure(run_command({"bench", "lorenz", "--parts", "regressor=ols,ols"}), 2,
+                 {"twice"});
   expect_failure(run_command({"bench", "lorenz", "--parts", "filter=abm", "--noise", "x"}), 2,
                  {"percent"});
   expect_failure(run_command({"bench", "no_such.csv", "--parts", "filter=abm"}), 2,
                  {"no_such.csv"});
+}
+
+TEST(BenchCommand, ADegreeIsThatOfTheBasesThatHaveOne) {
+  const auto result = run_command({"bench", "lorenz", "--parts", "basis=monomials,fourier",
+                                   "--degree", "2", "--samples", "400", "--csv", "-"});
+  EXPECT_EQ(result.status, 0) << result.err;
+  expect_failure(run_command({"bench", "lorenz", "--parts", "pruner=all", "--degree", "2",
+                              "--set", "basis=fourier"}),
+                 2, {"--set basis=fourier", "basis.type"});
 }
 
 }  // namespace

@@ -58,5 +58,20 @@ TEST(Cli, PartsOfOnesOwnAreThere) {
   EXPECT_THAT(run_command({"list"}).out, HasSubstr(" monomials,\n"));
 }
 
+TEST(Cli, HelpIsACommandToo) {
+  EXPECT_EQ(run_command({"help"}).out, run_command({"--help"}).out);
+  EXPECT_EQ(run_command({"help", "sync"}).out, run_command({"sync", "--help"}).out);
+  EXPECT_THAT(run_command({"help", "help"}).out, HasSubstr("lacuna help"));
+  expect_failure(run_command({"help", "syn"}), 2, {"help syn", "did you mean 'sync'?"});
+}
+
+TEST(Cli, NamesOfFunctionsAreNoPlaces) {
+  const testing::Records records;
+  const std::string rest = records.folder().write("rest.csv", "t,x,y,z\n0,1,1,1\n1,1,1,1\n");
+  const auto result = run_command({"compare", records.rossler(), rest});
+  expect_failure(result, 2, {"compare " + records.rossler() + " " + rest + ": "});
+  EXPECT_THAT(result.err, ::testing::Not(::testing::ContainsRegex("[a-z]_[a-z]+: ")));
+}
+
 }  // namespace
 }  // namespace lacuna

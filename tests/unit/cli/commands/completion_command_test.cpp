@@ -27,7 +27,9 @@ TEST(CompletionCommand, BashTakesItsScript) {
                            "'; COMP_WORDS=(lacuna dia); COMP_CWORD=1; _lacuna; "
                            "[ \"${COMPREPLY[*]}\" = diagnose ] || exit 3; "
                            "COMP_WORDS=(lacuna sync --coup); COMP_CWORD=2; _lacuna; "
-                           "[ \"${COMPREPLY[*]}\" = --coupling ]";
+                           "[ \"${COMPREPLY[*]}\" = --coupling ] || exit 4; "
+                           "COMP_WORDS=(lacuna help dia); COMP_CWORD=2; _lacuna; "
+                           "[ \"${COMPREPLY[*]}\" = diagnose ]";
   const std::string run = folder.write("run.sh", test);
   EXPECT_EQ(std::system(("bash '" + run + "'").c_str()), 0);
 }

@@ -7,6 +7,7 @@ namespace lacuna {
 namespace {
 
 using testing::CommandResult;
+using testing::expect_failure;
 using ::testing::HasSubstr;
 using testing::run_command;
 using testing::TemporaryFolder;
@@ -75,6 +76,46 @@ TEST(DataOptions, TheUnitOfTheTimeIsOneThatTimesAreConvertedFrom) {
     ASSERT_EQ(result.status, 0) << result.err;
     EXPECT_EQ(nlohmann::json::parse(result.out)["time_unit"], unit);
   }
+}
+
+TEST(DataOptions, MapGivesNoNameThatTheModelLacks) {
+  const testing::Records records;
+  const std::string model = records.oscillator_model(), data = records.oscillator();
+  const std::vector<std::vector<std::string>> commands = {
+      {"diagnose", "--model", model, data},
+      {"fit", model, data},
+      {"sync", model, data},
+      {"compare", model, data},
+      {"check", data, "--model", model},
+      {"diagnose", "--each", "--model", model, data},
+      {"plan", model, "--data", data},
+      {"simulate", model, "--x0", "0,0", "--input-data", data}};
+  for (std::vector<std::string> words : commands) {
+    words.insert(words.end(), {"--map", "speed=x"});
+    expect_failure(
+        run_command(words), 2,
+        {"--map speed=x", "no state, input or output 'speed'", "known are: x, v, u"});
+  }
+}
+
+TEST(DataOptions, MapMayNameWhatARivalHas) {
+  const testing::Records records;
+  const std::string rival = records.folder().write(
+      "rival.ode",
+      "input u [N]\nstate x [m]\nstate v [m/s]\ndx/dt = v\ndv/dt = -4*x + u - 0.1*v\n"
+      "y = x [m]\n");
+  std::string rows = "t,x,u,second\n";
+  for (int i = 0; i < 100; ++i) {
+    const std::string x = std::to_string(std::cos(0.1 * i));
+    rows += std::to_string(0.05 * i) + "," + x + "," + std::to_string(std::sin(0.05 * i)) +
+            "," + x + "\n";
+  }
+  const std::string record = records.folder().write("two.csv", rows);
+  const auto run = [&](const std::string& map) {
+    return run_command({"fit", records.oscillator_model(), rival, record, "--map", map});
+  };
+  EXPECT_EQ(run("y=second").err, "");
+  expect_failure(run("z=second"), 2, {"--map z=second"});
 }
 
 }  // namespace

@@ -177,5 +177,19 @@ TEST(DiagnoseCommand, BadOptionsAreNamed) {
   expect_failure(records.diagnose({"--tolerance", "v:v"}), 2, {"--tolerance"});
 }
 
+TEST(DiagnoseCommand, TheConfigurationChoosesEffects) {
+  const HiddenRecords records(friction);
+  const std::string chosen = "effects=[\"constant-offset\"]";
+  const auto configured = records.diagnose({"--set", chosen, "--json", "-"});
+  const auto named = records.diagnose({"--effect", "constant-offset", "--json", "-"});
+  EXPECT_EQ(configured.status, 0) << configured.err;
+  EXPECT_EQ(configured.out, named.out);
+  EXPECT_THAT(configured.out, ::testing::Not(HasSubstr("coulomb-friction")));
+  expect_failure(records.diagnose({"--set", chosen, "--effect", "delay"}), 2,
+                 {"--set effects", "keep one"});
+  expect_failure(records.diagnose({"--max-effects", "2", "--set", "decision.max_effects=3"}), 2,
+                 {"--set decision.max_effects=3", "keep one"});
+}
+
 }  // namespace
 }  // namespace lacuna

@@ -20,8 +20,8 @@ using ::testing::HasSubstr;
 using ::testing::Not;
 using testing::Records;
 using testing::run_command;
-using testing::unfolded;
 using testing::TemporaryFolder;
+using testing::unfolded;
 
 nlohmann::json run_identify(std::vector<std::string> arguments) {
   arguments.insert(arguments.begin(), "identify");
@@ -368,14 +368,36 @@ TEST(IdentifyCommand, PiecesHaveLimits) {
 
 TEST(IdentifyCommand, ReportsThatTheRefinerOverridesAChoice) {
   const Records records;
-  const std::vector<std::string> chosen{"identify", records.rossler(), "--degree", "2", "--set",
-                                        "regressor=stlsq"};
+  const std::vector<std::string> chosen{"identify", records.rossler(), "--degree",
+                                        "2",        "--set",           "regressor=stlsq"};
   const auto refined = run_command(chosen);
   EXPECT_THAT(testing::unfolded(refined.out),
               HasSubstr("the choice of regressor seldom shows in the model"));
   auto alone = chosen;
   alone.insert(alone.end(), {"--set", "refiner=none"});
   EXPECT_THAT(run_command(alone).out, Not(HasSubstr("seldom shows")));
+}
+
+TEST(IdentifyCommand, EveryAddAdds) {
+  const HenonRecord record;
+  const auto result = run_command({"identify", record.data(), "--discrete", "--degree", "1",
+                                   "--add", "sin(x),cos(x)", "--add", "x^2", "--json", "-"});
+  EXPECT_EQ(result.status, 0) << result.err;
+  EXPECT_EQ(nlohmann::json::parse(result.out)["pipeline"]["asked"]["basis"]["include"],
+            (std::vector<std::string>{"sin(x)", "cos(x)", "x^2"}));
+}
+
+TEST(IdentifyCommand, ExplainsWhichOptionsDecidedNothing) {
+  const HenonRecord record;
+  const std::vector<std::string> words{"identify", record.data(), "--discrete", "--explain"};
+  EXPECT_THAT(run_command(words).out, Not(HasSubstr("Options that decided nothing")));
+  std::vector<std::string> more = words;
+  more.insert(more.end(), {"--integrator", "dopri5", "--set", "validation.resolution=1e-4"});
+  const auto result = run_command(more);
+  EXPECT_EQ(result.status, 0) << result.err;
+  EXPECT_THAT(result.out, HasSubstr("\nOptions that decided nothing\n  --integrator: the stage "
+                                    "`synchronisation` was not reached\n"));
+  EXPECT_THAT(result.out, Not(HasSubstr("validation: ")));
 }
 
 }  // namespace

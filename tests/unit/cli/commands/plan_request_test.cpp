@@ -36,8 +36,8 @@ TEST(PlanInputText, FaultsAreSaid) {
                             "'rat' is not known", "rate");
   expect_error<ConfigError>([] { plan_input("u=0..1, family step"); },
                             "--input u=0..1, family step", "no family 'step'", "steps");
-  expect_error<ConfigError>([] { plan_input("u=0..1, pieces 0"); },
-                            "--input u=0..1, pieces 0", "1 to 200", "pieces");
+  expect_error<ConfigError>([] { plan_input("u=0..1, pieces 0"); }, "--input u=0..1, pieces 0",
+                            "1 to 200", "pieces");
   EXPECT_THROW(plan_input("u=0..inf"), ConfigError);
   EXPECT_THROW(plan_input("u=0..1, rate"), ConfigError);
 }
@@ -103,10 +103,11 @@ TEST(ModelsOfAnswer, AreThoseThatItLeavesPossible) {
 }
 
 TEST(ModelsOfAnswer, OthersAreErrors) {
-  expect_error<ConfigError>([] { models_of_answer("{\"format\":\"lacuna.sync/1\"}", "s.json"); },
-                            "--after s.json", "lacuna.sync/1", "diagnose");
-  expect_error<ConfigError>([] { models_of_answer("t,x\n1,2\n", "r.csv"); }, "--after r.csv",
-                            "no answer as JSON", "--json");
+  expect_error<ConfigError>(
+      [] { models_of_answer("{\"format\":\"lacuna.sync/1\"}", "s.json"); }, "--after s.json",
+      "lacuna.sync/1", "diagnose");
+  expect_error<ConfigError>([] { models_of_answer("t,x\n1,2\n", "r.csv"); },
+                            "--after r.csv:1:2", "no answer as JSON", "--json");
 }
 
 }  // namespace

@@ -114,8 +114,9 @@ TEST(Configuration, DegreeAndTermsChooseTheBasis) {
   const auto monomials = configuration.build(default_registry()).basis;
   EXPECT_EQ(options<Monomials>(monomials).max_degree, 2);
   EXPECT_EQ(options<Monomials>(monomials).min_degree, 1);
-  configuration.set_terms("max(x,y), 1");
-  const auto terms = configuration.build(default_registry()).basis;
+  Configuration outright;
+  outright.set_terms("max(x,y), 1");
+  const auto terms = outright.build(default_registry()).basis;
   EXPECT_EQ(options<Expressions>(terms).terms, (std::vector<std::string>{"max(x,y)", "1"}));
 }
 
@@ -158,7 +159,7 @@ TEST(Configuration, WrongTypesAndRangesNameThePath) {
 TEST(Configuration, SyntaxErrorsNameLineAndColumn) {
   Configuration configuration;
   expect_error<ConfigError>([&] { configuration.merge_text("{\n  \"a\": ]\n}", "c.json"); },
-                            "c.json:2:8", "not JSON", "brackets");
+                            "c.json:2:8", "not valid JSON", "brackets");
   expect_error<ConfigError>([&] { configuration.merge_text("[1]", "c.json"); }, "c.json: $",
                             "JSON object", "preset");
 }
@@ -221,6 +222,37 @@ TEST(Configuration, AKeyThatStandsTwiceHasAPath) {
       [&] { configuration.merge_text(R"({"basis": {"type": "a", "type": "b"}})", "c.json"); },
       "c.json: $.basis.type", "twice", "remove one");
   configuration.merge_text("\xEF\xBB\xBF{}", "c.json");
+}
+
+TEST(Configuration, OptionsThatContradictOneAnotherAreRefused) {
+  const auto refused = [](const std::function<void(Configuration&)>& second,
+                          const std::string& place, const std::string& path) {
+    Configuration configuration;
+    configuration.set_degree(3);
+    expect_error<ConfigError>([&] { second(configuration); }, place, "'" + path + "'",
+                              "keep one");
+  };
+  refused([](Configuration& c) { c.set("basis.max_degree=2"); }, "--set basis.max_degree=2",
+          "basis.max_degree");
+  refused([](Configuration& c) { c.set("basis=fourier"); }, "--set basis=fourier",
+          "basis.type");
+  refused([](Configuration& c) { c.set(R"(basis={"max_degree": 1})"); },
+          R"(--set basis={"max_degree": 1})", "basis.max_degree");
+  refused([](Configuration& c) { c.set_terms("x,y"); }, "--terms", "basis.type");
+  Configuration agreeing;
+  agreeing.merge_text(R"({"basis": {"max_degree": 5}})", "c.json");  // options go before files
+  agreeing.set_degree(3);
+  agreeing.set("basis.type=monomials");
+  agreeing.set("basis.min_degree=1");
+  EXPECT_EQ(options<Monomials>(agreeing.build(default_registry()).basis).max_degree, 3);
+}
+
+TEST(Configuration, LevelsAreCountedBeforeAnythingIsRead) {
+  Configuration configuration;
+  const std::string deep = std::string(100000, '[');
+  expect_error<ConfigError>([&] { configuration.merge_text("{\"basis\":" + deep, "c.json"); },
+                            "c.json:1:41", "deeper than 32 levels", "brackets");
+  EXPECT_THROW(configuration.set("basis.x=" + deep + std::string(100000, ']')), ConfigError);
 }
 
 }  // namespace

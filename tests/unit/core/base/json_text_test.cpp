@@ -19,5 +19,13 @@ TEST(JsonText, FindsTheNumberThatIsTooLarge) {
   EXPECT_EQ(overflowing_number("\"open 1e999"), std::nullopt);
 }
 
+TEST(JsonText, FindsTheLevelThatIsTooDeep) {
+  EXPECT_EQ(deeper_than(2, R"({"a": [1, [2]]})"), 11u);
+  EXPECT_EQ(deeper_than(3, R"({"a": [1, [2]]})"), std::nullopt);
+  EXPECT_EQ(deeper_than(1, R"(["[[[", "\"[[["])"), std::nullopt);
+  EXPECT_EQ(deeper_than(1, "]]][1][2]"), std::nullopt);
+  EXPECT_EQ(deeper_than(1, "[\"["), std::nullopt);
+}
+
 }  // namespace
 }  // namespace lacuna

@@ -89,5 +89,26 @@ TEST(AtomicFile, DoesNotReplaceAFolder) {
   EXPECT_EQ(folder.count(), 1);
 }
 
+TEST(CheckWritable, TriesWithoutLeavingAnything) {
+  const TemporaryFolder folder;
+  const std::string there = folder.write("there.txt", "old");
+  check_writable(there);
+  check_writable(folder.file("new.txt"));
+  check_writable("/dev/null");
+  EXPECT_EQ(folder.count(), 1);
+  EXPECT_EQ(folder.read("there.txt"), "old");
+  for (const std::string& place :
+       {folder.file("none/new.txt"), folder.file("."), there + "/new.txt", std::string()})
+    EXPECT_THROW(check_writable(place), FileError) << place;
+}
+
+TEST(WrittenFile, IsBehindItsLinks) {
+  const TemporaryFolder folder;
+  std::filesystem::create_symlink("second", folder.file("first"));
+  std::filesystem::create_symlink("new.txt", folder.file("second"));
+  EXPECT_EQ(written_file(folder.file("first")), folder.file("new.txt"));
+  EXPECT_EQ(written_file(folder.file("other")), folder.file("other"));
+}
+
 }  // namespace
 }  // namespace lacuna

@@ -39,6 +39,14 @@ TEST(Event, TooManyAreAnError) {
   EXPECT_THROW(times_of({{.time = 0.0, .period = 1e-9}}, 0.0, 1.0), ModelError);
 }
 
+TEST(Event, OneThatBeganTooLongAgoIsAnError) {
+  for (const double first : {-1e17, -1e300})
+    EXPECT_THROW(times_of({{.time = first, .period = 1.0}}, 0.0, 10.0), ModelError);
+  EXPECT_EQ(times_of({{.time = -1e15, .period = 1.0}}, 0.0, 2.0),
+            (std::vector<double>{0.0, 1.0, 2.0}));
+  EXPECT_EQ(times_of({{.time = -1e300, .period = 1e300}}, 0.0, 10.0), std::vector<double>{0.0});
+}
+
 TEST(Event, IsWrittenAsItIsRead) {
   EXPECT_EQ(occasion_text({.time = 4.5}), "at 4.5");
   EXPECT_EQ(occasion_text({.time = 0.0, .period = 12.0}), "every 12");

@@ -291,5 +291,18 @@ TEST(ModelFile, TimeIsContinuousOrDiscrete) {
   EXPECT_THROW(parse(R"("time": "discrete", )", "delay(x,1)"), ModelError);
 }
 
+TEST(ModelFile, AnEventHasOneOccasion) {
+  const auto read = [](const std::string& occasion) {
+    return parse_model(R"({"format": "lacuna.model/1", "states": [{"name": "x"}],
+      "equations": [{"state": "x", "terms": []}], "events": [{)" +
+                           occasion + R"(, "set": {"x": "0"}}]})",
+                       "m.json");
+  };
+  EXPECT_EQ(read(R"("every": 2, "from": 1)").events().front().time, 1.0);
+  EXPECT_EQ(read(R"("at": 3)").events().front().time, 3.0);
+  for (const char* two : {R"("at": 1, "every": 2)", R"("at": 1, "from": 2)", R"("from": 2)"})
+    EXPECT_THROW(read(two), ModelError) << two;
+}
+
 }  // namespace
 }  // namespace lacuna

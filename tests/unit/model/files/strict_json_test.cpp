@@ -36,9 +36,15 @@ TEST(StrictJson, APositionIsLineAndColumn) {
   EXPECT_EQ(json_message("[1] 2"), "f:1:5|not valid JSON");
 }
 
-TEST(StrictJson, DeepNestingIsNoTrouble) {
-  const std::string deep = std::string(50000, '[') + std::string(50000, ']');
-  EXPECT_EQ(json_message(deep), "no error");
+TEST(StrictJson, LevelsAreBounded) {
+  const auto nested = [](std::size_t levels) {
+    return std::string(levels, '[') + std::string(levels, ']');
+  };
+  EXPECT_EQ(json_message(nested(kDeepestJson)), "no error");
+  const std::string problem = "f:1:33|nested deeper than 32 levels";
+  EXPECT_EQ(json_message(nested(kDeepestJson + 1)), problem);
+  EXPECT_EQ(json_message(nested(1000000)), problem);
+  EXPECT_EQ(json_message(std::string(1000000, '[')), problem);
 }
 
 }  // namespace

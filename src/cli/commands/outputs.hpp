@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+// What is read and what is written are kept apart, for all commands in one place.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace lacuna::cli {
+
+/// What the help shows behind an option that takes a file to write; "-" is standard output.
+/// Every option with such a form is one (outputs_of()).
+inline constexpr const char *kFile = "FILE|-", *kPage = "FILE.html|-", *kModel = "FILE.ode|-";
+
+/// The same of a folder into which pictures are written.
+inline constexpr const char* kPictures = "FOLDER";
+
+/// A file, or a folder of pictures, that a command is going to write.
+struct OutputFile {
+  std::string option;
+  std::string path;
+  bool is_folder = false;
+};
+
+/// What the options of a command that were given write.
+std::vector<OutputFile> outputs_of(const CLI::App& command);
+
+/// All files that are there and that any other word of the command names, patterns and sheets
+/// of workbooks taken apart (files_named()): what may be read.
+std::vector<std::filesystem::path> files_read_by(const CLI::App& command);
+
+/// Keeps apart what is read and what is written, and tries whether it can be written, before
+/// any work is done. One file is one, by whatever links and names it is called.
+/// @throws ConfigError when a file would replace one that is read, or two results would go to
+/// one
+///   file; FileError for one that cannot be written (check_writable()).
+void check_outputs(const std::vector<std::filesystem::path>& read,
+                   const std::vector<OutputFile>& outputs);
+
+}  // namespace lacuna::cli
