@@ -71,13 +71,14 @@ struct OtherUnit {
 
 /// Columns of which each is in the unit of the other: "th [rpm], w [deg]" for rad and rad/s.
 Hint hint_for_swapped(const OtherUnit& one, const OtherUnit& other) {
-  const auto told = [](const OtherUnit& each) {
+  const auto units_of = [](const OtherUnit& each) {
     return each.column.name + " is in " + each.column.unit + " and in " + each.wanted +
            " in the model";
   };
   return {HintKind::SwappedColumns,
           "columns " + one.column.name + " and " + other.column.name +
-              " look swapped, each has a unit of the other: " + told(one) + ", " + told(other),
+              " look swapped, each has a unit of the other: " + units_of(one) + ", " +
+              units_of(other),
           "exchange the names of the columns " + one.column.name + " and " + other.column.name,
           Withheld::Answer};
 }

@@ -136,7 +136,7 @@ const PredictionError* worst_of(const PredictionTest& test) {
   return worst;
 }
 
-/// Whether an error is best told in deviations of the noise.
+/// Whether an error is best given in deviations of the noise.
 bool is_near_noise(const PredictionError& state) {
   return state.noise_estimated && state.noise > 0.0 && state.error < 3.0 * state.noise;
 }
@@ -150,19 +150,19 @@ std::string size_of(const PredictionError& state, bool in_noise) {
 
 /// Errors of the tests that say something, all on one scale.
 std::string numbers_of(const Validation& validation, const ValidationOptions& options) {
-  std::vector<std::pair<std::string, const PredictionError*>> told;
+  std::vector<std::pair<std::string, const PredictionError*>> worst_states;
   const auto add = [&](const PredictionTest& test, const std::string& what) {
     const PredictionError* worst = says_something(test, options) ? worst_of(test) : nullptr;
-    if (worst) told.emplace_back(what, worst);
+    if (worst) worst_states.emplace_back(what, worst);
   };
   add(validation.one_step, "one step ahead the error is");
   add(validation.windows, "over " + format_number(validation.windows.horizon, 3) +
                               (validation.time_unit.empty() ? "" : " " + validation.time_unit) +
                               " it is");
-  const bool in_noise = std::all_of(told.begin(), told.end(),
+  const bool in_noise = std::all_of(worst_states.begin(), worst_states.end(),
                                     [](const auto& one) { return is_near_noise(*one.second); });
   std::vector<std::string> parts;
-  for (const auto& [what, state] : told)
+  for (const auto& [what, state] : worst_states)
     parts.push_back(what + " " + size_of(*state, in_noise));
   return join(parts, ", ");
 }
