@@ -6,6 +6,8 @@
 #include <optional>
 #include <utility>
 
+#include "data/units/in_units.hpp"
+
 namespace lacuna {
 namespace {
 
@@ -199,14 +201,21 @@ bool are_of_two_kinds(const Scope& scope, const Expression& x, const Expression&
   return (a.position && b.velocity) || (a.velocity && b.position);
 }
 
+/// Whether nothing converts the unit of one variable to that of the other: a speed less a
+/// current is nothing.
+bool are_in_other_units(const Scope& scope, const Expression& x, const Expression& y) {
+  return do_not_convert(scope.range_of(x).unit, scope.range_of(y).unit);
+}
+
 /// Whether two terms of an equation have a difference in them: variables with opposite
-/// coefficients, or states of one kind with coefficients of opposite sign. -a*x + b*y is
-/// min(a,b)*(y-x) and the rest of the larger one, as of a body that is held by another one
+/// coefficients, or states of one kind and unit with coefficients of opposite sign. -a*x + b*y
+/// is min(a,b)*(y-x) and the rest of the larger one, as of a body that is held by another one
 /// and by the ground.
 bool have_a_difference(const Scope& scope, const WeightedTerm& one, const WeightedTerm& other) {
-  if (are_opposite(one, other)) return true;
   const Expression &x = one.term.expression(), &y = other.term.expression();
-  return is_variable(x) && is_variable(y) && !is_input(scope, x) && !is_input(scope, y) &&
+  if (are_opposite(one, other)) return true;
+  return is_variable(x) && is_variable(y) && !are_in_other_units(scope, x, y) &&
+         !is_input(scope, x) && !is_input(scope, y) &&
          one.coefficient * other.coefficient < 0.0 && !are_of_two_kinds(scope, x, y);
 }
 

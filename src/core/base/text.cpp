@@ -26,6 +26,9 @@ std::string not_finite_text(double value) {
   return value > 0.0 ? "inf" : "-inf";
 }
 
+/// From where on a percentage is harder to read than a factor.
+bool is_many_times(double fraction) { return std::abs(fraction) >= 10.0; }
+
 bool is_blank(char c) { return c == ' ' || c == '\t'; }
 
 char lower(char c) { return static_cast<char>(std::tolower(static_cast<unsigned char>(c))); }
@@ -70,6 +73,18 @@ std::string format_number(double value, int significant_digits) {
   Buffer buffer;
   return from_result(buffer, std::to_chars(buffer.data(), buffer.data() + buffer.size(), value,
                                            std::chars_format::general, digits));
+}
+
+std::string percent(double fraction, std::string_view whole) {
+  if (!is_many_times(fraction))
+    return format_number(100.0 * fraction, std::abs(fraction) < 0.995 ? 2 : 3) + " %";
+  return format_number(fraction, 3) + " times" + (whole.empty() ? "" : " ") +
+         std::string(whole);
+}
+
+std::string percent_of(double fraction, std::string_view whole) {
+  if (is_many_times(fraction)) return percent(fraction, whole);
+  return percent(fraction) + " of " + std::string(whole);
 }
 
 std::string join(std::span<const std::string> parts, std::string_view separator) {

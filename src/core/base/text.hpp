@@ -17,6 +17,13 @@ std::string format_number(double value);
 /// The number with the given count of significant digits, for people.
 std::string format_number(double value, int significant_digits);
 
+/// A fraction for people: "12 %", "0.34 %"; from ten times the whole on a factor, "33.7 times",
+/// with the name of the whole where one is given.
+std::string percent(double fraction, std::string_view whole = {});
+
+/// The same of something: "12 % of its rate", "33.7 times its rate".
+std::string percent_of(double fraction, std::string_view whole);
+
 /// The parts with `separator` between them.
 std::string join(std::span<const std::string> parts, std::string_view separator);
 

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "diagnose/candidates/candidate_column.hpp"
+#include "lacuna/model/equations/rounding.hpp"
 #include "lacuna/trajectories/smoother/disturbance_test.hpp"
 
 namespace lacuna {
@@ -37,13 +38,19 @@ std::vector<std::string> terms_in(const Explanation& explanation, const OdeModel
   std::vector<std::string> terms;
   for (const FittedEffect& effect : explanation.effects)
     if (effect.candidate.equation == equation && effect.candidate.place == Place::Rate)
-      terms.push_back(bind_form(effect.candidate, as_span(effect.shapes)).to_string());
+      terms.push_back(readable_term(effect));
   for (const WeightedTerm& given : nominal.equations()[static_cast<std::size_t>(equation)])
     terms.push_back("the change of " + given.term.name());
   return terms;
 }
 
 }  // namespace
+
+std::string readable_term(const FittedEffect& effect) {
+  constexpr int kDigits = 4;  // more than shapes are known to
+  const Expression form = bind_form(effect.candidate, as_span(effect.shapes));
+  return with_rounded_numbers(form, kDigits).to_string();
+}
 
 Vector effect_along(const FittedEffect& effect, const Assimilation& fit,
                     const LinearisedRecord& record) {

@@ -9,6 +9,9 @@
 
 namespace lacuna {
 
+/// The form of a fitted effect with its numbers, to as many digits as people read.
+std::string readable_term(const FittedEffect& effect);
+
 /// Coefficient x form of an effect along a record that it was fitted to, at samples and
 /// midpoints (2n-1).
 Vector effect_along(const FittedEffect& effect, const Assimilation& fit,

@@ -72,8 +72,26 @@ bool is_still_input(const Dataset& data, Index input) {
   return variance(u) <= 1e-20 * u.squaredNorm() / static_cast<double>(u.size());
 }
 
-void add_input_hints(const OdeModel& model, const Dataset& data, const HintOptions& options,
-                     std::vector<Hint>& hints) {
+/// Whether the plant itself makes an input a function of the states: in an equation that has it
+/// as a term the measured rates are next to nothing beside what it adds, so that the other
+/// terms make up for it (u = R i + K w of an armature whose current settles at once).
+bool is_settled(const OdeModel& model, const Dataset& data, const RateWindows& windows,
+                const std::string& input, double feedback) {
+  for (Index k = 0; k < model.dimension(); ++k) {
+    const Equation& terms = model.equations()[static_cast<std::size_t>(k)];
+    const auto own = std::find_if(terms.begin(), terms.end(), [&](const WeightedTerm& summand) {
+      return summand.term.name() == input;
+    });
+    if (own == terms.end() || !data.is_measured(k)) continue;
+    const Vector rates = window_rates(data, windows).col(k);
+    const Vector means = term_means(model, k, data, windows).col(own - terms.begin());
+    if (variance(rates) <= (1.0 - feedback) * variance(own->coefficient * means)) return true;
+  }
+  return false;
+}
+
+void add_input_hints(const OdeModel& model, const Dataset& data, const RateWindows& windows,
+                     const HintOptions& options, std::vector<Hint>& hints) {
   const Matrix states = states_of(data);
   for (Index j = 0; j < data.input_count(); ++j) {
     const std::string& name = model.inputs()[static_cast<std::size_t>(j)].name;
@@ -88,7 +106,8 @@ void add_input_hints(const OdeModel& model, const Dataset& data, const HintOptio
     }
     const double fraction = fraction_of_states(states, u);
     if (!(fraction >= options.feedback && fraction < 1.0 + 1e-9) ||
-        !answers_states(states, u, options.significance))
+        !answers_states(states, u, options.significance) ||
+        is_settled(model, data, windows, name, options.feedback))
       continue;
     hints.push_back(
         {HintKind::ClosedLoop,
@@ -270,7 +289,7 @@ std::vector<Hint> motion_hints(const OdeModel& model, const BoundRecords& record
                                const RateWindows& windows, const HintOptions& options) {
   if (auto still = stillness(records, options)) return {std::move(*still)};
   std::vector<Hint> hints;
-  add_input_hints(model, records.data, options, hints);
+  add_input_hints(model, records.data, windows, options, hints);
   add_state_hints(model, records, options, hints);
   if (is_one_transient(records, options))
     hints.push_back({HintKind::Excitation,

@@ -66,7 +66,46 @@ SuggestedFactor suggested_factor(const OdeModel& model, const Dataset& data,
 struct OtherUnit {
   Quantity column;
   std::string wanted;
+  Index channel = 0;  ///< number of a state, then (from m on) of an input
 };
+
+/// Columns of which each is in the unit of the other: "th [rpm], w [deg]" for rad and rad/s.
+Hint hint_for_swapped(const OtherUnit& one, const OtherUnit& other) {
+  const auto units_of = [](const OtherUnit& each) {
+    return each.column.name + " is in " + each.column.unit + " and in " + each.wanted +
+           " in the model";
+  };
+  return {HintKind::SwappedColumns,
+          "columns " + one.column.name + " and " + other.column.name +
+              " look swapped, each has a unit of the other: " + units_of(one) + ", " +
+              units_of(other),
+          "exchange the names of the columns " + one.column.name + " and " + other.column.name,
+          Withheld::Answer};
+}
+
+/// The first two columns that fit in each other's place by their units.
+std::optional<Hint> swapped_hint(const std::vector<OtherUnit>& all) {
+  for (std::size_t i = 0; i < all.size(); ++i)
+    for (std::size_t j = i + 1; j < all.size(); ++j)
+      if (!do_not_convert(all[i].column.unit, all[j].wanted) &&
+          !do_not_convert(all[j].column.unit, all[i].wanted))
+        return hint_for_swapped(all[i], all[j]);
+  return std::nullopt;
+}
+
+/// The columns of records that are in such units.
+std::vector<OtherUnit> in_other_units(const OdeModel& model, const Dataset& data) {
+  std::vector<OtherUnit> all;
+  const auto look = [&](const std::vector<Quantity>& columns,
+                        const std::vector<Quantity>& wanted, Index first) {
+    for (std::size_t i = 0; i < wanted.size() && i < columns.size(); ++i)
+      if (do_not_convert(columns[i].unit, wanted[i].unit))
+        all.push_back({columns[i], wanted[i].unit, first + static_cast<Index>(i)});
+  };
+  look(data.states, model.states(), 0);
+  look(data.inputs, model.inputs(), model.dimension());
+  return all;
+}
 
 Hint hint_for_factor(const OtherUnit& one, double factor) {
   constexpr int kDigits = 4;  // more than a factor is known to
@@ -95,24 +134,17 @@ Hint hint_without_factor(const std::vector<OtherUnit>& all) {
 
 std::vector<Hint> unit_hints(const OdeModel& model, const BoundRecords& records,
                              const RateWindows& windows, const HintOptions& options) {
+  const std::vector<OtherUnit> all = in_other_units(model, records.data);
+  if (auto swapped = swapped_hint(all)) return {*std::move(swapped)};
   std::vector<Hint> hints;
   std::vector<OtherUnit> without_factor;
-  const Dataset& data = records.data;
-  const auto look = [&](const std::vector<Quantity>& columns,
-                        const std::vector<Quantity>& wanted, Index first) {
-    for (std::size_t i = 0; i < wanted.size() && i < columns.size(); ++i) {
-      if (!do_not_convert(columns[i].unit, wanted[i].unit)) continue;
-      const OtherUnit one{columns[i], wanted[i].unit};
-      const SuggestedFactor found =
-          suggested_factor(model, data, windows, first + static_cast<Index>(i));
-      if (found.remainder < options.slip_remainder)
-        hints.push_back(hint_for_factor(one, found.factor));
-      else
-        without_factor.push_back(one);
-    }
-  };
-  look(data.states, model.states(), 0);
-  look(data.inputs, model.inputs(), model.dimension());
+  for (const OtherUnit& one : all) {
+    const SuggestedFactor found = suggested_factor(model, records.data, windows, one.channel);
+    if (found.remainder < options.slip_remainder)
+      hints.push_back(hint_for_factor(one, found.factor));
+    else
+      without_factor.push_back(one);
+  }
   if (!without_factor.empty()) hints.push_back(hint_without_factor(without_factor));
   return hints;
 }

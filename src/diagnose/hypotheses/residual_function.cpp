@@ -134,6 +134,14 @@ void fit_function(const Problem& problem, const ScoredFunction& function,
   if (fill) composite.explanation = std::move(filled.explanation);
 }
 
+/// Whether a function that is not known at a time comes again, or needs not: what happens once
+/// has no period, whatever sines add up to.
+bool recurs(const FunctionScreening& screening, const FunctionBasis& basis,
+            const DecisionOptions& decision) {
+  return basis.kind != FunctionBasis::Kind::Lines ||
+         screening.smaller_half(basis) >= decision.minor;
+}
+
 /// Of which variables the structure is a function.
 CompositeModel described(const Problem& problem, const CompositeModel& best) {
   const Baseline& base = *best.base;
@@ -145,7 +153,8 @@ CompositeModel described(const Problem& problem, const CompositeModel& best) {
       screening.best_of(present_functions(base.fitted, base.scope, equation), criterion);
   const auto other = screening.best_of(other_functions(base.scope, equation), criterion);
   const double now = present ? std::max(present->net, 0.0) : 0.0;
-  const bool is_other = other && other->net > now;
+  const bool is_other =
+      other && other->net > now && recurs(screening, other->basis, problem.options.decision);
   CompositeModel composite = best;
   composite.unnamed = Unnamed{equation, {}, 0.0, false, false, false};
   composite.unnamed->memory = is_other && other->basis.kind == FunctionBasis::Kind::Memory;

@@ -277,17 +277,17 @@ NamedEffect named(const Problem& problem, const Baseline& given,
   const Size size = size_of(effect, own.explanation.fit);
   result.contribution = size.added / size.state;
   result.tried = static_cast<Index>(tried);
-  double sum = 0.0;
-  for (const Fitted& other : fitted)
-    sum += std::exp(-0.5 * (other.criterion - fitted.front().criterion));
-  const auto probability = [&](const Fitted& one) {
-    return std::exp(-0.5 * (one.criterion - fitted.front().criterion)) / sum;
+  // What comes before it leaves structure, and is no rival of it.
+  const auto weight = [&](const Fitted& one) {
+    return std::exp(-0.5 * (one.criterion - own.criterion));
   };
+  double sum = 0.0;
+  for (std::size_t i = chosen; i < fitted.size(); ++i) sum += weight(fitted[i]);
+  const auto probability = [&](const Fitted& one) { return weight(one) / sum; };
   result.probability = probability(own);
   result.gap_closed = fraction_closed(given.fitted, own.explanation.fit);
-  for (std::size_t i = 0; i < fitted.size() && result.alternatives.size() < kAlternatives;
-       ++i) {
-    if (i == chosen) continue;
+  for (std::size_t i = chosen + 1;
+       i < fitted.size() && result.alternatives.size() < kAlternatives; ++i) {
     const FittedEffect& other = fitted[i].explanation.effects.front();
     const std::string where =
         problem.nominal.states()[static_cast<std::size_t>(other.candidate.equation)].name;

@@ -132,6 +132,7 @@ void add_jitter_note(const Problem& problem, const Assimilation& fit, Diagnosis&
   const TimingJitter jitter = timing_jitter(fit);
   if (jitter.sigma < decision.significance || jitter.fraction < decision.minor) return;
   const double steps = jitter.deviation / median_step(problem.records.data);
+  if (steps < decision.negligible) return;
   result.notes.push_back(
       "timing jitter: the noise grows with the rate of the states as if the "
       "times of the samples scattered by " +

@@ -107,9 +107,11 @@ std::optional<Gap> gap_of(const Problem& problem, const OdeModel& without,
                           double floor) {
   const auto& correct = composite.base->correct;
   const Dataset corrected = correct ? correct(check.data) : check.data;
-  Gap gap = measure_gap(without, composite.explanation,
-                        {check, corrected, problem.options.decision.outlying, floor},
-                        problem.context);
+  const bool unexplained = composite.named.empty() && composite.findings.empty();
+  Gap gap =
+      measure_gap(without, composite.explanation,
+                  {check, corrected, problem.options.decision.outlying, floor, unexplained},
+                  problem.context);
   // Without a window in which the model has a solution there is no distance to measure.
   if (std::isfinite(gap.before) && std::isnan(gap.after)) gap.after = INFINITY;
   const bool refuted = std::isinf(gap.after);
@@ -241,19 +243,27 @@ Diagnosis withheld_answer(const OdeModel& nominal, std::vector<Hint> hints) {
   return diagnosis;
 }
 
-/// Slips that single coefficients give away, where none was seen before.
+/// Slips that coefficients give away, all of them together or one by itself, where none was
+/// seen before.
 void add_coefficient_hints(const Problem& problem, Diagnosis& diagnosis) {
   if (withheld_by(diagnosis.hints) != Withheld::Nothing) return;
   const DecisionOptions& decision = problem.options.decision;
+  const Dataset& data = problem.records.data;
+  std::vector<EstimatedCoefficient> all, changed;
   for (const CoefficientChange& change : diagnosis.coefficient_changes) {
-    if (change.nominal == 0.0 || change.sigma < decision.significance) continue;
-    const EstimatedCoefficient said{change.equation, change.term,
-                                    change.estimated / change.nominal,
-                                    change.deviation / std::abs(change.nominal)};
-    if (auto hint =
-            coefficient_hint(problem.nominal, problem.records.data, said, decision.hints))
-      diagnosis.hints.push_back(std::move(*hint));
+    if (change.nominal == 0.0 || !change.determined) continue;
+    all.push_back({change.equation, change.term, change.estimated / change.nominal,
+                   change.deviation / std::abs(change.nominal)});
+    if (change.sigma >= decision.significance) changed.push_back(all.back());
   }
+  if (diagnosis.verdict == Verdict::CoefficientsOnly)
+    if (auto hint = clock_hint(problem.nominal, data, all, decision.hints)) {
+      diagnosis.hints.push_back(*std::move(hint));
+      return;
+    }
+  for (const EstimatedCoefficient& said : changed)
+    if (auto hint = coefficient_hint(problem.nominal, data, said, decision.hints))
+      diagnosis.hints.push_back(std::move(*hint));
 }
 
 /// The model with coefficients that are not fitted.

@@ -42,14 +42,23 @@ Vector deviations(const Dataset& data) {
   return moving_deviations(states);
 }
 
-double noise_floor(const NoiseModel& noise, const Vector& scale) {
+/// White noise of a channel as its samples show it by themselves; 0 where they show none.
+double noise_of_samples(const BoundRecords& records, std::size_t k) {
+  const bool known =
+      k < records.channels.size() && records.channels[k].noise.kind == NoiseKind::White;
+  return known ? records.channels[k].noise.sigma : 0.0;
+}
+
+double noise_floor(const NoiseModel& noise, const Vector& scale,
+                   const HeldOutRecords& held_out) {
   double sum = 0.0;
   double count = 0.0;
   for (std::size_t k = 0; k < noise.measurement.size(); ++k) {
     const double unit = scale[static_cast<Index>(k)];
     if (!noise.measurement[k] || unit == 0.0) continue;
     const double colour = noise.coloured[k] ? noise.coloured[k]->deviation : 0.0;
-    sum += std::pow(std::hypot(noise.rounded(k), colour) / unit, 2);
+    const double least = held_out.unexplained ? noise_of_samples(held_out.given, k) : 0.0;
+    sum += std::pow(std::max(std::hypot(noise.rounded(k), colour), least) / unit, 2);
     count += 1.0;
   }
   return std::sqrt(sum / count);
@@ -140,7 +149,8 @@ struct FreeRuns {
 
 /// Along what both run.
 struct WholeRecords {
-  const HeldOutRecords& held_out;
+  const Dataset& given;
+  const Dataset& explained;  ///< without what the measurement adds by the explanation
   const Vector& scale;
   const std::vector<Index>& begins;
 };
@@ -157,8 +167,7 @@ FreeRuns run_freely_both(const OdeModel& nominal, const Assimilation& fit,
     return run_freely({model, paths, records, fit.noise, along.scale, along.begins}, least,
                       context);
   };
-  return {run(nominal, own, along.held_out.given.data),
-          run(fit.model, full, along.held_out.corrected)};
+  return {run(nominal, own, along.given), run(fit.model, full, along.explained)};
 }
 
 std::vector<std::string> sources_of(const Dataset& data) {
@@ -200,9 +209,10 @@ Gap gap_on(const OdeModel& nominal, const Explanation& explanation,
     all.after.add(one.after);
     runs.push_back(std::move(one.runs));
   }
-  const FreeRuns free = run_freely_both(nominal, fit, {held_out, scale, begins}, length, context);
+  const FreeRuns free = run_freely_both(
+      nominal, fit, {held_out.given.data, records.data, scale, begins}, length, context);
   const Vector& time = fit.records.front().time;
-  const double floor = std::min(noise_floor(fit.noise, scale), held_out.known_floor);
+  const double floor = std::min(noise_floor(fit.noise, scale, held_out), held_out.known_floor);
   return {
       "rms of (measured - model) / standard deviation in windows of one mean period, "
       "initial state fitted",
@@ -228,7 +238,8 @@ Gap measure_gap(const OdeModel& nominal, const Explanation& explanation,
   BoundRecords given = held_out.given;
   given.data = with_clocks_ahead(std::move(given.data), offsets);
   const Dataset corrected = with_clocks_ahead(held_out.corrected, offsets);
-  const HeldOutRecords shifted{given, corrected, held_out.outlying, held_out.known_floor};
+  const HeldOutRecords shifted{given, corrected, held_out.outlying, held_out.known_floor,
+                               held_out.unexplained};
   Gap gap = gap_on(nominal, explanation, shifted, context);
   for (std::size_t r = 0; r < gap.runs.size(); ++r)
     gap.runs[r].time.array() -= offsets[static_cast<Index>(r)];

@@ -22,10 +22,13 @@ using Hypotheses = std::vector<Stage<Hypothesis>>;
 /// What a composite model says in a few words.
 std::string says(const CompositeModel& composite, const OdeModel& nominal) {
   std::vector<std::string> parts;
-  for (const NamedEffect& effect : composite.named)
+  const std::vector<FittedEffect>& effects = composite.explanation.effects;
+  for (std::size_t e = 0; e < composite.named.size(); ++e) {
+    const NamedEffect& effect = composite.named[e];
     parts.push_back(effect.name + " in d" +
                     nominal.states()[static_cast<std::size_t>(effect.equation)].name +
-                    "/dt: " + effect.term);
+                    "/dt: " + (e < effects.size() ? readable_term(effects[e]) : effect.term));
+  }
   for (const NamedEffect& finding : composite.findings) parts.push_back(finding.name);
   return parts.empty() ? "nothing is missing" : join(parts, "; ");
 }

@@ -2,7 +2,11 @@
 #include "effect_names.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
+
+#include "lacuna/effects/families.hpp"
+#include "lacuna/effects/patterns.hpp"
 
 namespace lacuna {
 namespace {
@@ -42,6 +46,16 @@ std::pair<Index, int> intricacy(const FittedEffect& effect) {
   const std::span<const double> shapes(effect.shapes.data(),
                                        static_cast<std::size_t>(effect.shapes.size()));
   return {effect.candidate.intricacy(), bind_form(effect.candidate, shapes).depth()};
+}
+
+/// What dry friction is known by, whatever is written for its jump.
+constexpr const char* kForce = "force";
+
+bool is_force(const NamedParameter& parameter) { return parameter.name == kForce; }
+
+/// Whether dry friction is written as a slope with an end, c clip(v,-a,a): its force is c a.
+bool is_steep_slope(const FittedEffect& effect, const std::string& name) {
+  return name == kCoulombFriction.info.name && has_form(effect.candidate, "clip(x,-a,a)");
 }
 
 }  // namespace
@@ -107,6 +121,7 @@ std::vector<OtherForm> forms_elsewhere(const RankedEffect& ranked, const Ranking
 void update_numbers(const Explanation& explanation, std::vector<NamedEffect>& named) {
   for (std::size_t e = 0; e < named.size(); ++e) {
     const FittedEffect& fitted = explanation.effects[e];
+    std::erase_if(named[e].parameters, is_force);
     named[e].term = term_of(fitted);
     named[e].coefficient = fitted.coefficient;
     named[e].deviation = fitted.deviation;
@@ -117,6 +132,9 @@ void update_numbers(const Explanation& explanation, std::vector<NamedEffect>& na
       parameter.value = fitted.shapes[i];
       parameter.deviation = known ? std::optional(fitted.shape_deviations[i]) : std::nullopt;
     }
+    if (is_steep_slope(fitted, named[e].name))
+      named[e].parameters.push_back(
+          {kForce, "", std::abs(fitted.coefficient) * fitted.shapes[0], {}});
   }
 }
 

@@ -7,6 +7,7 @@
 #include "core/numerics/qr.hpp"
 #include "core/statistics/information.hpp"
 #include "diagnose/candidates/candidate_column.hpp"
+#include "forms/candidate/tone.hpp"
 #include "period_search.hpp"
 
 namespace lacuna {
@@ -104,7 +105,7 @@ FunctionBasis lines(const Scope& scope, Index equation) {
   static const Expression angle = parse_expression("2*pi*frequency*t");
   FunctionBasis basis{FunctionBasis::Kind::Lines, {"t"}, {}};
   for (const SpectralLine& line : scope.lines) {
-    if (line.equation != equation) continue;
+    if (line.equation != equation || !is_tone(line, scope)) continue;
     for (const Operation wave : {Operation::Sin, Operation::Cos})
       basis.members.push_back(member(
           equation,
@@ -173,10 +174,7 @@ std::optional<ScoredFunction> FunctionScreening::best_of(std::vector<FunctionBas
   return best;
 }
 
-FunctionScore FunctionScreening::score(const FunctionBasis& basis) const {
-  // Below this fraction of its length a column is made of the others, up to what noise would
-  // show.
-  constexpr double kIndependent = 1e-3;
+FunctionScreening::Columns FunctionScreening::columns_of(const FunctionBasis& basis) const {
   std::vector<std::size_t> places;
   Matrix columns(system_.rows(), static_cast<Index>(basis.members.size()));
   for (std::size_t j = 0; j < basis.members.size(); ++j) {
@@ -186,8 +184,16 @@ FunctionScore FunctionScreening::score(const FunctionBasis& basis) const {
     places.push_back(j);
   }
   columns.conservativeResize(Eigen::NoChange, static_cast<Index>(places.size()));
+  if (!places.empty()) columns -= fitted_ * (fitted_.transpose() * columns);
+  return {std::move(columns), std::move(places)};
+}
+
+FunctionScore FunctionScreening::score(const FunctionBasis& basis) const {
+  // Below this fraction of its length a column is made of the others, up to what noise would
+  // show.
+  constexpr double kIndependent = 1e-3;
+  const auto [columns, places] = columns_of(basis);
   if (places.empty()) return {};
-  columns -= fitted_ * (fitted_.transpose() * columns);
   const PivotedQr factor(columns);
   const Vector inner = factor.transposed_times(left_), pivots = factor.pivots();
   const std::vector<Index> order = factor.order();
@@ -199,6 +205,16 @@ FunctionScore FunctionScreening::score(const FunctionBasis& basis) const {
   }
   std::sort(result.members.begin(), result.members.end());
   return result;
+}
+
+double FunctionScreening::smaller_half(const FunctionBasis& basis) const {
+  const auto [columns, places] = columns_of(basis);
+  if (places.empty()) return 0.0;
+  const Matrix orthonormal = PivotedQr(columns).basis();
+  const Vector rest = left_ - orthonormal * (orthonormal.transpose() * left_);
+  const Vector gains = left_.cwiseAbs2() - rest.cwiseAbs2();
+  const double whole = gains.sum(), first = gains.head(gains.size() / 2).sum();
+  return whole > 0.0 ? std::min(first, whole - first) / whole : 0.0;
 }
 
 }  // namespace lacuna

@@ -65,11 +65,22 @@ class FunctionScreening {
 
   FunctionScore score(const FunctionBasis& basis) const;
 
+  /// Of the gain of a basis the fraction that comes from that half of the samples from which
+  /// less does: about 1/2 of what recurs, 0 or less of what happens once.
+  double smaller_half(const FunctionBasis& basis) const;
+
   /// Of the bases the one that explains most beyond what its members cost by the criterion.
   std::optional<ScoredFunction> best_of(std::vector<FunctionBasis> bases,
                                         const Criterion& criterion) const;
 
  private:
+  /// Members as columns without what is fitted, and their places in the basis.
+  struct Columns {
+    Matrix values;
+    std::vector<std::size_t> places;
+  };
+  Columns columns_of(const FunctionBasis& basis) const;
+
   const Assimilation& assimilation_;
   InnovationSystem system_;
   Matrix fitted_;  ///< orthonormal columns of what is fitted

@@ -18,18 +18,32 @@
 namespace lacuna {
 namespace {
 
-/// rms of coefficient x form over that of the rate of the state it acts on.
+/// Whether a constant in the place of an effect takes the mean of what it adds: one beside it
+/// in the equation, or an offset of the channel, which no state follows.
+bool has_constant(const Candidate& candidate, const Assimilation& fit) {
+  if (candidate.form.variables().empty()) return false;
+  if (candidate.place == Place::Channel) return true;
+  const Equation& terms = fit.model.equations()[static_cast<std::size_t>(candidate.equation)];
+  return std::any_of(terms.begin(), terms.end(), [](const WeightedTerm& summand) {
+    return summand.term.expression().variables().empty();
+  });
+}
+
+/// rms of coefficient x form over that of the rate of the state it acts on, about the mean
+/// where a constant takes that: dry friction of what turns one way only is constant, and acts.
 double contribution_of(const FittedEffect& effect, const Assimilation& fit) {
   const Candidate& candidate = effect.candidate;
-  double sum = 0.0;
+  double sum = 0.0, square = 0.0;
   Index count = 0;
   for (const LinearisedRecord& record : fit.records) {
     const Vector values = effect_along(effect, fit, record);
-    const double mean = candidate.form.variables().empty() ? 0.0 : values.mean();
-    sum += (values.array() - mean).square().sum();
+    sum += values.sum();
+    square += values.squaredNorm();
     count += values.size();
   }
-  const double rms = std::sqrt(sum / static_cast<double>(count));
+  const auto samples = static_cast<double>(count);
+  const double mean = has_constant(candidate, fit) ? sum / samples : 0.0;
+  const double rms = std::sqrt(std::max(0.0, square / samples - mean * mean));
   if (candidate.place == Place::Channel) {
     const auto& path = fit.records.front().path.col(candidate.equation);
     return rms / std::sqrt((path.array() - path.mean()).square().mean());
@@ -129,20 +143,6 @@ std::size_t keep_leaders(std::vector<RankedEffect>& sorted, Plausible plausible)
 bool mean_the_same(const RankedEffect& a, const RankedEffect& b) {
   return in_one_place(a.effect().candidate, b.effect().candidate) &&
          leading_name(a.names) == leading_name(b.names);
-}
-
-void set_probabilities(Ranking& ranking, double none_criterion) {
-  double least = none_criterion;
-  for (const RankedEffect& effect : ranking.effects) least = std::min(least, effect.criterion);
-  const auto weight = [&](double criterion) { return std::exp(-0.5 * (criterion - least)); };
-  double sum = weight(none_criterion);
-  for (const RankedEffect& effect : ranking.effects) sum += weight(effect.criterion);
-  ranking.none = weight(none_criterion) / sum;
-  for (RankedEffect& effect : ranking.effects) {
-    effect.probability = 0.0;
-    for (const RankedEffect& other : ranking.effects)
-      if (mean_the_same(effect, other)) effect.probability += weight(other.criterion) / sum;
-  }
 }
 
 /// Whether a form is the state of its own equation as it was before. A store beside that state does
@@ -335,6 +335,20 @@ std::vector<RankedEffect> rank_exactly(const EffectSearch& search, const Explana
 }
 
 }  // namespace
+
+void set_probabilities(Ranking& ranking, double none_criterion) {
+  double least = none_criterion;
+  for (const RankedEffect& effect : ranking.effects) least = std::min(least, effect.criterion);
+  const auto weight = [&](double criterion) { return std::exp(-0.5 * (criterion - least)); };
+  double sum = weight(none_criterion);
+  for (const RankedEffect& effect : ranking.effects) sum += weight(effect.criterion);
+  ranking.none = weight(none_criterion) / sum;
+  for (RankedEffect& effect : ranking.effects) {
+    effect.probability = 0.0;
+    for (const RankedEffect& other : ranking.effects)
+      if (mean_the_same(effect, other)) effect.probability += weight(other.criterion) / sum;
+  }
+}
 
 bool are_forms_of_one(const FittedEffect& a, const std::string& name_of_a,
                       const FittedEffect& b, const std::string& name_of_b, const Scope& scope) {

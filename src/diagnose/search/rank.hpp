@@ -52,6 +52,10 @@ struct Ranking {
   Index tried = 0;                    ///< candidates and shapes that were tried
 };
 
+/// Probabilities of what is ranked and of "none of them", exp(-criterion / 2) each.
+/// @param none_criterion of the explanation without another effect.
+void set_probabilities(Ranking& ranking, double none_criterion);
+
 /// Whether two effects are forms of one: functions of one argument in one place that have one
 /// leading name (dry friction as sign(w) and as tanh(w/width)), or of which one has the other
 /// as a special case.

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/base/parallel.hpp"
+#include "diagnose/criterion/effect_parts.hpp"
 #include "diagnose/hypotheses/input_noise.hpp"
 #include "diagnose/hypotheses/named_effects.hpp"
 #include "effect_shortfall.hpp"
@@ -186,7 +187,7 @@ bool replace(const EffectSearch& search, std::size_t old, const RankedEffect& ra
 std::string says(const EffectSearch& search, const RankedEffect& ranked) {
   const auto k = static_cast<std::size_t>(ranked.effect().candidate.equation);
   return ranked.names.front().name + " in d" + search.problem.nominal.states()[k].name +
-         "/dt: " + term_of(ranked.effect());
+         "/dt: " + readable_term(ranked.effect());
 }
 
 /// One candidate of a round that falls short of nothing: whether it comes in.
@@ -209,11 +210,13 @@ Rival try_candidate(const EffectSearch& search, const RankedEffect& ranked,
 /// The best effect that may come in, or take the place of another form of itself.
 /// @return whether one did.
 bool add_one(const EffectSearch& search, const EffectSize& size, FoundEffects& found) {
-  const Ranking ranking = rank(search, found.explanation);
+  Ranking ranking = rank(search, found.explanation);
+  const double none = criterion_of(search, found.explanation);
   Extended before{found.explanation};
   Round round{ranking.tried, "", 0.0, false};
   double best = 0.0;
-  for (const RankedEffect& ranked : ranking.effects) {
+  for (std::size_t i = 0; i < ranking.effects.size(); ++i) {
+    const RankedEffect& ranked = ranking.effects[i];
     const std::string label = ranked.names.front().name + ": " + term_of(ranked.effect());
     if (round.best.empty()) round = {ranking.tried, label, ranked.sigma, false};
     if (round.accepted) {
@@ -233,6 +236,9 @@ bool add_one(const EffectSearch& search, const EffectSize& size, FoundEffects& f
       found.rivals.push_back({std::string(kNamedEffects.name), says(search, ranked),
                               ranked.criterion, false, why->quantity, why->value,
                               why->threshold});
+      // What falls short is no rival of what comes in.
+      ranking.effects.erase(ranking.effects.begin() + static_cast<std::ptrdiff_t>(i--));
+      set_probabilities(ranking, none);
       continue;
     }
     Rival rival = try_candidate(search, ranked, ranking, found);
@@ -385,7 +391,7 @@ std::vector<Twin> rivals_elsewhere(const EffectSearch& search, const FoundEffect
       result.push_back(
           twin_of({form.named}, nominal,
                   "in the place of " + found.named[e].name + " the records allow as well " +
-                      form.named.name + " (" + term_of(form.effect) + ")" +
+                      form.named.name + " (" + readable_term(form.effect) + ")" +
                       place_of(form.named, nominal) +
                       "; coefficients that are known (--tolerance) may decide"));
       result.back().instead_of = found.named[e].name;

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
+#include <vector>
 
 #include "core/base/text.hpp"
 #include "lacuna/core/base/admission.hpp"
@@ -125,35 +127,44 @@ std::vector<AdequacyPart> parts_of(const Validation& validation,
   return parts;
 }
 
-std::string percent(double fraction) {
-  return format_number(100.0 * fraction, fraction < 0.995 ? 2 : 3) + " %";
-}
-
-/// "0.02 % of the motion of x" or "1.02 times the noise of x": the worst state of a test.
-std::string size_of(const PredictionTest& test) {
+/// The worst state of a test.
+const PredictionError* worst_of(const PredictionTest& test) {
   const PredictionError* worst = nullptr;
   for (const PredictionError& state : test.states)
     if (state.freedom >= 1.0 && (!worst || state.fraction() > worst->fraction()))
       worst = &state;
-  if (!worst) return "";
-  if (worst->noise_estimated && worst->noise > 0.0 && worst->error < 3.0 * worst->noise)
-    return format_number(worst->error / worst->noise, 3) + " times the noise of " +
-           worst->state;
-  return percent(worst->fraction()) + " of the motion of " + worst->state;
+  return worst;
 }
 
+/// Whether an error is best given in deviations of the noise.
+bool is_near_noise(const PredictionError& state) {
+  return state.noise_estimated && state.noise > 0.0 && state.error < 3.0 * state.noise;
+}
+
+/// "1.02 times the noise of x" or "0.02 % of the motion of x".
+std::string size_of(const PredictionError& state, bool in_noise) {
+  if (in_noise)
+    return format_number(state.error / state.noise, 3) + " times the noise of " + state.state;
+  return percent_of(state.fraction(), "the motion of " + state.state);
+}
+
+/// Errors of the tests that say something, all on one scale.
 std::string numbers_of(const Validation& validation, const ValidationOptions& options) {
-  std::string text;
+  std::vector<std::pair<std::string, const PredictionError*>> worst_states;
   const auto add = [&](const PredictionTest& test, const std::string& what) {
-    if (!says_something(test, options)) return;
-    const std::string size = size_of(test);
-    if (!size.empty()) text += (text.empty() ? "" : ", ") + what + " " + size;
+    const PredictionError* worst = says_something(test, options) ? worst_of(test) : nullptr;
+    if (worst) worst_states.emplace_back(what, worst);
   };
   add(validation.one_step, "one step ahead the error is");
   add(validation.windows, "over " + format_number(validation.windows.horizon, 3) +
                               (validation.time_unit.empty() ? "" : " " + validation.time_unit) +
                               " it is");
-  return text;
+  const bool in_noise = std::all_of(worst_states.begin(), worst_states.end(),
+                                    [](const auto& one) { return is_near_noise(*one.second); });
+  std::vector<std::string> parts;
+  for (const auto& [what, state] : worst_states)
+    parts.push_back(what + " " + size_of(*state, in_noise));
+  return join(parts, ", ");
 }
 
 /// What the numbers say of a model, before it is asked whether that may be said.

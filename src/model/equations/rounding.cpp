@@ -29,14 +29,6 @@ double rounded_by(double value, std::optional<double> half, const Digits& digits
   return half && *half > 0.0 ? rounded_to(value, digits_of(value, *half)) : value;
 }
 
-Expression with_short_numbers(const Expression& e) {
-  if (is_number(e)) return Expression::number(rounded_to(e.value(), kDigitsInside));
-  if (e.operation() == Operation::Variable || e.operation() == Operation::Delay) return e;
-  std::vector<Expression> operands;
-  for (const Expression& operand : e.operands()) operands.push_back(with_short_numbers(operand));
-  return Expression::make(e.operation(), std::move(operands));
-}
-
 /// Terms that differ in later digits only stay as they are: no term stands twice.
 Equation rounded_equation(const Equation& equation, const Variables& variables,
                           const Digits& digits) {
@@ -46,7 +38,7 @@ Equation rounded_equation(const Equation& equation, const Variables& variables,
   for (WeightedTerm summand : equation) {
     if (!summand.fixed)
       summand.coefficient = rounded_by(summand.coefficient, half_interval(summand), digits);
-    Term term(with_short_numbers(summand.term.expression()), variables);
+    Term term(with_rounded_numbers(summand.term.expression(), kDigitsInside), variables);
     if (names.insert(term.name()).second) summand.term = std::move(term);
     result.push_back(std::move(summand));
   }
@@ -67,6 +59,15 @@ Parameter rounded_parameter(Parameter parameter, const Digits& digits) {
 }
 
 }  // namespace
+
+Expression with_rounded_numbers(const Expression& e, int digits) {
+  if (is_number(e)) return Expression::number(rounded_to(e.value(), digits));
+  if (e.operation() == Operation::Variable || e.operation() == Operation::Delay) return e;
+  std::vector<Expression> operands;
+  for (const Expression& operand : e.operands())
+    operands.push_back(with_rounded_numbers(operand, digits));
+  return Expression::make(e.operation(), std::move(operands));
+}
 
 Digits parse_digits(std::string_view text) {
   if (text == "auto") return {};

@@ -14,22 +14,20 @@ std::string with_unit(double value, const Quantity& state) {
   return format_number(value, 3) + (state.unit.empty() ? "" : " " + state.unit);
 }
 
-std::string per_cent(double fraction) { return format_number(100.0 * fraction, 2) + " %"; }
-
 std::string clipped_note(const Quantity& state, const Channel& channel) {
   std::vector<std::string> ends;
   if (channel.limits.high)
     ends.push_back("at " + with_unit(*channel.limits.high, state) + ": " +
-                   per_cent(channel.at_top) + " of the samples");
+                   percent(channel.at_top) + " of the samples");
   if (channel.limits.low)
     ends.push_back("at " + with_unit(*channel.limits.low, state) + ": " +
-                   per_cent(channel.at_bottom) + " of the samples");
+                   percent(channel.at_bottom) + " of the samples");
   return "clipped-channel: " + state.name + " is clipped " + join(ends, ", ") +
          "; they count as 'at least' or 'at most' so much";
 }
 
 std::string missing_note(const Quantity& state, const Channel& channel) {
-  return "dropouts: " + per_cent(channel.missing) + " of the samples of " + state.name +
+  return "dropouts: " + percent(channel.missing) + " of the samples of " + state.name +
          " are blank, repeat the last value or lie on lines between others; they are left out";
 }
 

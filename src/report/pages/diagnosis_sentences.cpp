@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "diagnosis_sentences.hpp"
 
+#include <algorithm>
 #include <cctype>
 #include <cmath>
 #include <numbers>
@@ -27,9 +28,18 @@ std::string rate_unit_of(const Diagnosis& diagnosis, Index equation) {
   return rate_unit(state_of(diagnosis, equation).unit, diagnosis.nominal.time_unit());
 }
 
-/// A fraction of something, where less than a thousandth says no more than that.
+/// A fraction of something below which it says no more than that.
+constexpr double kHardlyAny = 1e-3;
+
 std::string fraction_of(double fraction) {
-  return fraction < 1e-3 ? "less than 0.1 %" : percent(fraction);
+  return fraction < kHardlyAny ? "less than 0.1 %" : percent(fraction);
+}
+
+/// Whether an effect stands beside others that explain what there is to explain.
+bool is_minor(const Diagnosis& diagnosis, const NamedEffect& effect) {
+  const auto explains = [](const NamedEffect& one) { return one.gap_closed >= kHardlyAny; };
+  return !explains(effect) &&
+         std::any_of(diagnosis.effects.begin(), diagnosis.effects.end(), explains);
 }
 
 /// A number of a formula for people: a parameter to the digits that its error allows.
@@ -65,8 +75,9 @@ std::string partly_explained(const Diagnosis& diagnosis) {
   const std::string rest = "Partly explained: effects are named, but significant structure is left";
   const auto& gap = diagnosis.gap;
   if (!gap || !(gap->after < gap->before) || !std::isfinite(gap->before)) return rest + ".";
-  return rest + ": on other records the gap falls from " + percent(gap->before) + " to " +
-         percent(gap->after) + " (noise alone: " + percent(gap->noise_floor) + ").";
+  return rest + ": on other records the gap falls from " + percent(gap->before, "the motion") +
+         " to " + percent(gap->after, "the motion") +
+         " (noise alone: " + percent(gap->noise_floor) + ").";
 }
 
 std::string headline(const Diagnosis& diagnosis) {
@@ -101,6 +112,15 @@ std::string headline(const Diagnosis& diagnosis) {
 
 using Sentences = std::vector<std::string>;
 
+/// ", a force of 0.8 rad/s^2" of friction that is written as a slope with an end.
+std::string force_of(const NamedEffect& effect, const std::string& unit) {
+  for (const NamedParameter& parameter : effect.parameters)
+    if (parameter.name == "force")
+      return ", a force of " + format_number(parameter.value, 3) +
+             (unit.empty() ? "" : " " + unit);
+  return "";
+}
+
 void report_effect(const Diagnosis& diagnosis, const NamedEffect& effect, Sentences& out) {
   const bool acts = effect.place == Place::Rate;
   const std::string unit = acts ? rate_unit_of(diagnosis, effect.equation)
@@ -109,16 +129,16 @@ void report_effect(const Diagnosis& diagnosis, const NamedEffect& effect, Senten
                 ": " + effect.description + " (" + effect.name + "), " +
                 with_error(effect.coefficient, kNormalQuantile975 * effect.deviation) +
                 (unit.empty() ? "" : " " + unit) + " * " +
-                readable_formula(effect.term, effect.parameters) + ", explains " +
-                fraction_of(effect.gap_closed) + " of the disagreement (" +
+                readable_formula(effect.term, effect.parameters) + force_of(effect, unit) +
+                ", explains " + fraction_of(effect.gap_closed) + " of the disagreement (" +
                 format_number(effect.sigma, 3) + " sigma).");
   for (const Alternative& other : effect.alternatives)
     if (other.probability >= 0.01 && other.term != effect.term)
-      out.push_back((other.probability > effect.probability
-                         ? "  By likelihood alone it would be "
-                         : "  It might also be ") +
-                    other.name + " " + readable_formula(other.term, {}) + " (probability " +
-                    percent(other.probability) + ").");
+      out.push_back(
+          "  It might also be " + other.name + " " + readable_formula(other.term, {}) +
+          (other.probability > effect.probability
+               ? ", which the records do not distinguish from it: the plainer form leads."
+               : " (probability " + percent(other.probability) + ")."));
 }
 
 void report_changes(const Diagnosis& diagnosis, Sentences& out) {
@@ -160,11 +180,11 @@ std::string main_place(const Diagnosis& diagnosis, Index equation) {
 
 void report_remaining(const Diagnosis& diagnosis, Sentences& out) {
   for (const EquationStructure& left : diagnosis.remaining.details)
-    out.push_back("Equation " + state_of(diagnosis, left.equation).name + ": a rate of " +
-                  format_number(left.rms, 3) + " " + rate_unit_of(diagnosis, left.equation) +
-                  " rms (" + percent(left.relative) + " of its rate of change) is unexplained" +
-                  (diagnosis.effects.empty() ? main_place(diagnosis, left.equation) : "") +
-                  ".");
+    out.push_back(
+        "Equation " + state_of(diagnosis, left.equation).name + ": a rate of " +
+        format_number(left.rms, 3) + " " + rate_unit_of(diagnosis, left.equation) + " rms (" +
+        percent_of(left.relative, "its rate of change") + ") is unexplained" +
+        (diagnosis.effects.empty() ? main_place(diagnosis, left.equation) : "") + ".");
 }
 
 void report_unnamed(const Diagnosis& diagnosis, const Unnamed& unnamed, Sentences& out) {
@@ -190,7 +210,8 @@ void report_unnamed(const Diagnosis& diagnosis, const Unnamed& unnamed, Sentence
 }
 
 std::string gap_sentence(const Gap& gap) {
-  const std::string before = percent(gap.before), after = percent(gap.after);
+  const std::string before = percent(gap.before, "the motion");
+  const std::string after = percent(gap.after, "the motion");
   const std::string change =
       before == after
           ? "stays at " + after
@@ -233,8 +254,14 @@ DiagnosisSentences sentences_of(const Diagnosis& diagnosis) {
   DiagnosisSentences all;
   for (const Hint& hint : diagnosis.hints) all.hints.push_back(hint_sentence(hint));
   all.headline = headline(diagnosis);
-  for (const NamedEffect& effect : diagnosis.effects)
-    report_effect(diagnosis, effect, all.findings);
+  for (const NamedEffect& effect : diagnosis.effects) {
+    Sentences said;
+    report_effect(diagnosis, effect, said);
+    if (is_minor(diagnosis, effect))
+      all.notes.push_back(said.front());  // whatever else it might be
+    else
+      all.findings.insert(all.findings.end(), said.begin(), said.end());
+  }
   if (diagnosis.verdict == Verdict::CoefficientsOnly || !diagnosis.effects.empty())
     report_changes(diagnosis, all.findings);
   if (diagnosis.combined_change)

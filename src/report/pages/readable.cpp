@@ -76,10 +76,6 @@ std::string half_text(const WeightedTerm& summand) {
                                                   : std::string(kUnknown);
 }
 
-std::string percent(double fraction) {
-  return format_number(100.0 * fraction, std::abs(fraction) < 0.995 ? 2 : 3) + " %";
-}
-
 std::string rate_unit(const std::string& unit, const std::string& time_unit) {
   if (unit.empty()) return "1/" + time_unit;
   const auto power = power_of_time(unit, time_unit);

@@ -20,9 +20,6 @@ std::string coefficient_text(const WeightedTerm& summand, const Digits& digits =
 /// can bear (is_determined()); empty where there is none.
 std::string half_text(const WeightedTerm& summand);
 
-/// "12 %", "0.34 %".
-std::string percent(double fraction);
-
 /// Unit of a rate of change: "V" per "s" is V/s, "rad/s" per "s" is rad/s^2, "" per "s" is 1/s.
 std::string rate_unit(const std::string& unit, const std::string& time_unit);
 

@@ -25,11 +25,17 @@ std::string adequacy_text(const FitRival& rival) {
   return "residuals not distinguished from noise";
 }
 
-/// What the table says, in a sentence.
-std::string verdict_of(const RivalComparison& comparison) {
+/// Those that the records do not distinguish from the best, which is the first of them.
+std::vector<std::string> tied_names(const RivalComparison& comparison) {
   std::vector<std::string> tied;
   for (const FitRival& rival : comparison.rivals)
     if (rival.is_tied) tied.push_back(rival.name);
+  return tied;
+}
+
+/// What the table says, in a sentence.
+std::string verdict_of(const RivalComparison& comparison) {
+  const std::vector<std::string> tied = tied_names(comparison);
   const std::string best = comparison.rivals.front().name;
   std::string verdict = tied.size() == 1
                             ? best + " meets the records better than all others."
@@ -43,6 +49,7 @@ std::string verdict_of(const RivalComparison& comparison) {
 
 std::string format_text(const RivalComparison& comparison) {
   const bool held_out = comparison.rivals.front().held_out.has_value();
+  const bool any_tied = tied_names(comparison).size() > 1;
   std::vector<std::vector<std::string>> rows{
       {"model", "unknowns", "log-likelihood", "AICc", "BIC", "behind (sigma)"}};
   if (held_out) rows.front().push_back("held-out gap");
@@ -56,7 +63,7 @@ std::string format_text(const RivalComparison& comparison) {
                                  format_number(rival.behind, 3)};
     if (held_out)
       row.push_back(rival.held_out ? format_number(*rival.held_out, 3) : std::string("-"));
-    row.push_back(adequacy_text(rival) + (rival.is_tied ? ", tied" : ""));
+    row.push_back(adequacy_text(rival) + (any_tied && rival.is_tied ? ", tied" : ""));
     rows.push_back(std::move(row));
   }
   return verdict_of(comparison) + "\n\n" + text_table(rows) + "\n" +

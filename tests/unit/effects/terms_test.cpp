@@ -63,8 +63,8 @@ TEST(EffectTerms, DifferencesMayBeWrittenAsTerms) {
 TEST(EffectTerms, WhatIsHeldByAnotherBodyAndByTheGroundHasADifferenceToo) {
   Scope pair = scope_of(model_of_lines(
       {{"a", {{"a", -10.0}, {"b", 6.0}}}, {"b", {{"a", 1.0}, {"b", -7.0}}}}, {}));
-  pair.variables[1].unit = "mA";
-  EXPECT_EQ(texts(differences(pair, 0)), std::vector<std::string>{"a-b"}) << "in any unit";
+  pair.variables[1].unit = "mm";
+  EXPECT_EQ(texts(differences(pair, 0)), std::vector<std::string>{"a-b"}) << "these convert";
   EXPECT_EQ(slope(pair.model, 0, as("a-b")), -6.0) << "the rest holds a to the ground";
   EXPECT_EQ(texts(differences(pair, 1)), std::vector<std::string>{"b-a"});
   EXPECT_EQ(slope(pair.model, 1, as("b-a")), -1.0);
@@ -155,6 +155,17 @@ TEST(EffectTerms, MagnitudesIgnoreTheSign) {
   EXPECT_NEAR(magnitude_quantile(drive(), as("w1"), 0.5), std::sqrt(0.5), 0.03);
   EXPECT_EQ(drive().range_of(as("w1")).noise, 0.01) << "as the scope has it";
   EXPECT_NEAR(drive().range_of(as("w1-w2")).magnitude(), 2.0, 0.05);
+}
+
+TEST(EffectTerms, WhatHasAnotherUnitIsNoPartOfADifference) {
+  const auto arguments = [](const std::string& of_i) {
+    OdeModel model = model_of_lines(
+        {{"w", {{"w", -3.0}, {"i", 2.0}}}, {"i", {{"i", -20.0}, {"w", -5.0}}}}, {});
+    const OdeModel units({{"w", "rad/s"}, {"i", of_i}}, {}, model.equations());
+    return texts(differences(scope_of(units), 0));
+  };
+  EXPECT_EQ(arguments("deg/s"), std::vector<std::string>{"w-i"});
+  EXPECT_TRUE(arguments("A").empty());
 }
 
 }  // namespace

@@ -67,4 +67,13 @@ std::optional<Hint> coefficient_hint(const OdeModel& model, const Dataset& data,
                                      const EstimatedCoefficient& said,
                                      const HintOptions& options);
 
+/// A factor of time that all coefficients give away after they were fitted and that is no unit:
+/// each is the nominal one times that factor to the power that time has in it, to
+/// HintOptions::round_factor of its logarithm. Nothing below HintOptions::identity_factor, of a
+/// single coefficient, or where an identity or a function of time has one.
+/// @param said of all coefficients.
+std::optional<Hint> clock_hint(const OdeModel& model, const Dataset& data,
+                               const std::vector<EstimatedCoefficient>& said,
+                               const HintOptions& options);
+
 }  // namespace lacuna

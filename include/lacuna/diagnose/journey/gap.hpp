@@ -58,6 +58,9 @@ struct HeldOutRecords {
   /// The lowest noise floor with other explanations of the same records: what these explain is
   /// no noise.
   double known_floor = std::numeric_limits<double>::infinity();
+  /// Whether nothing is explained: disturbances of a model that fits nothing follow its samples
+  /// and leave little for their noise, which then is at least what the samples show themselves.
+  bool unexplained = false;
 };
 
 /// Measures the gap on records that were not used to find the effects.

@@ -24,6 +24,9 @@ int digits_of(double value, double error);
 /// Half of the 95 % interval of a coefficient, where it is known and not 0.
 std::optional<double> half_interval(const WeightedTerm& summand);
 
+/// A formula with its numbers rounded to so many significant digits; delays stay as they are.
+Expression with_rounded_numbers(const Expression& formula, int digits);
+
 /// The model with coefficients and values of parameters rounded: by their 95 % intervals, or to
 /// the digits asked for. What is fixed stays, and so does what has no interval unless a number
 /// of digits is asked for. Numbers inside terms keep eight digits, far more than records

@@ -100,5 +100,17 @@ TEST(Suggestion, NamesTheNearestOrAll) {
   EXPECT_EQ(suggestion("lasso", known), "known are: stlsq, ols");
 }
 
+TEST(Text, FractionsArePercentagesUpToTenTimesTheWhole) {
+  EXPECT_EQ(percent(0.1234), "12 %");
+  EXPECT_EQ(percent(0.00344), "0.34 %");
+  EXPECT_EQ(percent(1.234), "123 %");
+  EXPECT_EQ(percent(9.87), "987 %");
+  EXPECT_EQ(percent(33.71), "33.7 times");
+  EXPECT_EQ(percent(33.71, "the motion"), "33.7 times the motion");
+  EXPECT_EQ(percent(0.5, "the motion"), "50 %");
+  EXPECT_EQ(percent_of(0.5, "its rate"), "50 % of its rate");
+  EXPECT_EQ(percent_of(390.0, "its rate"), "390 times its rate");
+}
+
 }  // namespace
 }  // namespace lacuna

@@ -110,5 +110,10 @@ TEST(EffectParts, ActWhereTheyAreMoreThanNothing) {
   EXPECT_LT(expected, 0.9);
 }
 
+TEST(EffectParts, TermsHaveTheDigitsThatPeopleRead) {
+  Candidate stop = support::stop_candidate(0.25);
+  EXPECT_EQ(readable_term({stop, Vector::Constant(1, 0.12345678901), 1.0}), "min(q-0.1235,0)");
+}
+
 }  // namespace
 }  // namespace lacuna

@@ -34,5 +34,30 @@ TEST(CoefficientHint, SaysNothingOfOtherNumbers) {
   EXPECT_FALSE(hint_for("v", -1.0));
 }
 
+/// What all coefficients of the driven oscillator, dq/dt = v and dv/dt in q, v and F, say of
+/// time.
+std::optional<Hint> clock_hint_for(double q, double v, double force, bool measured = false) {
+  Dataset data = support::oscillator_record();
+  if (!measured) data.reconstructed = {false, true};
+  return clock_hint(support::oscillator(), data,
+                    {{1, "q", q, 1e-3}, {1, "v", v, 1e-3}, {1, "F", force, 1e-3}}, {});
+}
+
+TEST(ClockHint, FollowsThePowersOfTimeInEachCoefficient) {
+  // v is made of q: in a time that is 3 times too long it is a third, and its rate a ninth.
+  const auto hint = clock_hint_for(1.0 / 9.0, 1.0 / 3.0, 1.0 / 9.0);
+  ASSERT_TRUE(hint);
+  EXPECT_EQ(hint->kind, HintKind::TimeUnit);
+  EXPECT_THAT(hint->message, ::testing::HasSubstr("all rates are 3 times too small"));
+  EXPECT_EQ(hint->withheld, Withheld::Nothing);
+}
+
+TEST(ClockHint, NeedsAllCoefficientsAndAFactorThatIsNoUnit) {
+  EXPECT_FALSE(clock_hint_for(1.0 / 9.0, 1.0 / 3.0, 1.0 / 5.0));
+  EXPECT_FALSE(clock_hint_for(1.0 / 9.0, 1.0 / 3.0, -1.0 / 9.0));
+  EXPECT_FALSE(clock_hint_for(1.2 * 1.2, 1.2, 1.2 * 1.2)) << "may be a mass";
+  EXPECT_FALSE(clock_hint_for(1.0 / 9.0, 1.0 / 3.0, 1.0 / 9.0, true)) << "dq/dt = v holds";
+}
+
 }  // namespace
 }  // namespace lacuna

@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "core/base/random.hpp"
+#include "lacuna/model/files/ode_text.hpp"
 #include "support/driven_oscillator.hpp"
 
 namespace lacuna {
@@ -121,6 +122,49 @@ TEST(StepsInPeriod, AreThoseOfASineWithNoise) {
   Random random(2);
   for (double& q : data.trajectories[0].states.col(0)) q += 0.02 * random.normal();
   EXPECT_NEAR(steps_in_period(data, 0, 0.02), 100.0 * std::numbers::pi, 60.0);
+}
+
+/// An armature, L di/dt = u - R i - K w with L/R of 2 ms, and what it turns, under a slow sine.
+Dataset armature_record() {
+  constexpr double kStep = 0.01;
+  constexpr int kParts = 100;
+  Dataset data{.states = {{"w", "rad/s"}, {"i", "A"}}, .inputs = {{"u", "V"}}};
+  Trajectory record{"armature",
+                    Vector::LinSpaced(1000, 0.0, 999 * kStep),
+                    Matrix(1000, 2),
+                    Matrix(1000, 1),
+                    {}};
+  Random random(6);
+  double w = 0.0, i = 0.0;
+  const auto voltage = [](double t) { return 2.0 * std::sin(0.9 * t); };
+  for (Index n = 0; n < 1000; ++n) {
+    const double t = record.time[n];
+    record.states.row(n) << w + 1e-3 * random.normal(), i + 1e-3 * random.normal();
+    record.inputs(n, 0) = voltage(t);
+    for (int part = 0; part < kParts; ++part) {
+      const double h = kStep / kParts, u = voltage(t + h * part);
+      i += h * (500.0 * u - 500.0 * i - 250.0 * w);
+      w += h * (4.0 * i - w);
+    }
+  }
+  data.trajectories.push_back(std::move(record));
+  return data;
+}
+
+TEST(MotionHints, WhatThePlantMakesOfAnInputIsNoFeedback) {
+  const BoundRecords open = observed(armature_record());
+  const auto kinds = [&](const std::string& current) {
+    std::vector<HintKind> found;
+    const OdeModel model = parse_ode(
+        "input u [V]\nstate w [rad/s]\nstate i [A]\ndw/dt = 4*i - w\ndi/dt = " + current, "m");
+    for (const Hint& hint : motion_hints(model, open, rate_windows(open), {}))
+      found.push_back(hint.kind);
+    return found;
+  };
+  EXPECT_THAT(kinds("500*u - 500*i - 250*w"),
+              ::testing::Not(::testing::Contains(HintKind::ClosedLoop)));
+  // Were it not this equation that makes up for u, it would be feedback.
+  EXPECT_THAT(kinds("0.01*u - 500*i - 250*w"), ::testing::Contains(HintKind::ClosedLoop));
 }
 
 }  // namespace

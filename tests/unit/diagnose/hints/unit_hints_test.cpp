@@ -44,5 +44,19 @@ TEST(UnitHints, KnownUnitsHaveNone) {
   EXPECT_TRUE(unit_hints(kInUnits, records, rate_windows(records), {}).empty());
 }
 
+TEST(UnitHints, ColumnsInEachOthersUnitsLookSwapped) {
+  Dataset data = support::hidden_record(support::nothing, 0.01);
+  ASSERT_EQ(kInUnits.states()[0].unit, "m");
+  data.states[0].unit = "km/h";
+  data.states[1].unit = "cm";
+  const BoundRecords records = observed(data);
+  const std::vector<Hint> hints = unit_hints(kInUnits, records, rate_windows(records), {});
+  ASSERT_EQ(hints.size(), 1u);
+  EXPECT_EQ(hints[0].kind, HintKind::SwappedColumns);
+  EXPECT_EQ(hints[0].withheld, Withheld::Answer);
+  EXPECT_THAT(hints[0].message, HasSubstr("q is in km/h and in m in the model, v is in cm"));
+  EXPECT_THAT(hints[0].remedy, HasSubstr("exchange the names of the columns q and v"));
+}
+
 }  // namespace
 }  // namespace lacuna

@@ -98,5 +98,15 @@ TEST(ResidualFunction, PolynomialsFillWhatNamedEffectsLeave) {
   EXPECT_LT(evidence_of(composite).deviance, evidence_of(best).deviance);
 }
 
+TEST(ResidualFunction, WhatHappensOnceIsNotPeriodic) {
+  const support::Asked asked = support::asked([](double t, double, double) {
+    return 6.0 * std::exp(-std::pow((t - 9.0) / 1.5, 2)) * std::sin(5.0 * t);
+  });
+  const Proposals made = proposed(asked, asked.bare());
+  ASSERT_EQ(made.composites.size(), 1u);
+  ASSERT_TRUE(made.composites[0].composite.unnamed);
+  EXPECT_FALSE(made.composites[0].composite.unnamed->periodic);
+}
+
 }  // namespace
 }  // namespace lacuna

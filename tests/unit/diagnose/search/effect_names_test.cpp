@@ -97,5 +97,24 @@ TEST(EffectNames, FormsElsewhereStandInAnotherPlaceAndDoAsWell) {
   EXPECT_EQ(forms_elsewhere(ranking.effects[0], ranking, {.undecided = 8.0}).size(), 1u);
 }
 
+TEST(EffectNames, FrictionThatIsWrittenAsASlopeIsToldByItsForce) {
+  Candidate clip = support::plain_candidate("clip(v,-a,a)");
+  clip.argument = parse_expression("v");
+  clip.shapes = {{"a", "m/s", 0.001, 1.0, true}};
+  const Explanation explanation{{{clip, Vector::Constant(1, 0.05), -16.0, 0.1}},
+                                {.model = support::oscillator()}};
+  NamedEffect friction;
+  friction.name = "coulomb-friction";
+  friction.parameters = {{"width", "m/s", 0.0, {}}};
+  std::vector<NamedEffect> named{friction};
+  for (int again = 0; again < 2; ++again) update_numbers(explanation, named);
+  ASSERT_EQ(named[0].parameters.size(), 2u);
+  EXPECT_EQ(named[0].parameters[1].name, "force");
+  EXPECT_DOUBLE_EQ(named[0].parameters[1].value, 0.8);
+  named[0].name = "piecewise-linear";
+  update_numbers(explanation, named);
+  EXPECT_EQ(named[0].parameters.size(), 1u) << "a slope is what it is";
+}
+
 }  // namespace
 }  // namespace lacuna

@@ -82,10 +82,11 @@ TEST(FunctionBasis, SurfacesSumToOneAndStretchesToTheVariable) {
 
 TEST(FunctionBasis, MemoryIsEarlierValuesAndLinesAreOfTheEquation) {
   Scope scope = support::oscillator_scope();
-  scope.lines = {{0, 1.0, 1.0}, {1, 0.5, 1.0}};
+  scope.lines = {{0, 1.0, 1.0}, {1, 0.5, 1.0}, {1, 1.5 / scope.duration, 1.0}};
   const auto bases = other_functions(scope, 1);
   const FunctionBasis lines = basis_of(bases, Kind::Lines, {"t"});
-  ASSERT_EQ(lines.members.size(), 2u) << "sine and cosine of the line in dv/dt";
+  ASSERT_EQ(lines.members.size(), 2u)
+      << "sine and cosine of the line in dv/dt that comes to two periods";
   const Matrix waves = values_of(lines);
   const Vector time = values_of({Kind::Lines, {"t"}, {support::plain_candidate("t")}});
   EXPECT_LT((waves.col(0).array() - (M_PI * time.array()).sin()).abs().maxCoeff(), 1e-12);
@@ -151,6 +152,21 @@ TEST_F(Scoring, TheBestIsAFunctionOfTheRightVariable) {
   EXPECT_NEAR(best->net, best->score.gain - members * std::log(2.0 * 1501.0), 1e-6);
   EXPECT_EQ(best->members().size(), best->score.members.size());
   EXPECT_FALSE(screening.best_of({}, *asked_.options.criterion));
+}
+
+TEST_F(Scoring, WhatRecursIsInBothHalves) {
+  const auto smaller_half = [](const support::Hidden& hidden) {
+    const auto base = support::asked(hidden).baseline();
+    FunctionBasis waves{Kind::Lines, {"t"}, {}};
+    for (const char* form : {"sin(5*t)", "cos(5*t)"})
+      waves.members.push_back(support::plain_candidate(form));
+    return FunctionScreening(base->fitted).smaller_half(waves);
+  };
+  EXPECT_GT(smaller_half([](double t, double, double) { return std::sin(5.0 * t); }), 0.4);
+  EXPECT_LT(smaller_half([](double t, double, double) {
+              return t < 8.0 ? 3.0 * std::sin(5.0 * t) : 0.0;
+            }),
+            0.05);
 }
 
 }  // namespace

@@ -212,5 +212,13 @@ TEST(Judgement, WhatALimitCutIsIncompleteWhereItCouldChangeTheVerdict) {
       << "not all libraries were tried";
 }
 
+TEST(Judgement, ErrorsOfAllTestsAreToldOnOneScale) {
+  const PredictionError near = error_of(0.01, 0.01, true, 1.0);
+  const PredictionError far = error_of(0.4, 0.01, true, 1.0);
+  const std::string sentence = judged(near, far).sentence;
+  EXPECT_THAT(sentence, HasSubstr("40 % of the motion of x"));
+  EXPECT_THAT(sentence, ::testing::Not(HasSubstr("the noise of")));
+}
+
 }  // namespace
 }  // namespace lacuna

@@ -90,5 +90,11 @@ TEST(Rounding, DigitsAreReadAndOthersRefused) {
     EXPECT_THROW(parse_digits(text), ConfigError) << text;
 }
 
+TEST(Rounding, NumbersInFormulasForPeople) {
+  const Expression form = parse_expression("(1+0.8849609375000003*exp(-(x/8.2063)^2))*sign(x)");
+  EXPECT_EQ(with_rounded_numbers(form, 4).to_string(),
+            parse_expression("(1+0.885*exp(-(x/8.206)^2))*sign(x)").to_string());
+}
+
 }  // namespace
 }  // namespace lacuna

@@ -43,11 +43,21 @@ TEST(DiagnosisReport, SaysItInAFewLines) {
   EXPECT_LE(std::count(text.begin(), text.end(), '\n'), 10);
 }
 
-TEST(DiagnosisReport, SaysWhereAPlainNameLeadsAgainstTheLikelihood) {
+TEST(DiagnosisReport, NoProbabilityContradictsThePlainNameThatLeads) {
   Diagnosis diagnosis = made();
-  diagnosis.effects.front().probability = 0.0;
+  diagnosis.effects.front().probability = 0.1;
+  diagnosis.effects.front().alternatives.front().probability = 0.9;
+  const std::string text = format_text(diagnosis);
+  EXPECT_THAT(text, testing::HasSubstr("It might also be quadratic-drag v*abs(v), which the "
+                                       "records do not distinguish from it"));
+  EXPECT_THAT(text, testing::Not(testing::HasSubstr("probability")));
+}
+
+TEST(DiagnosisReport, ManyTimesTheMotionIsNoPercentage) {
+  Diagnosis diagnosis = made();
+  diagnosis.gap->before = 33.71;
   EXPECT_THAT(format_text(diagnosis),
-              testing::HasSubstr("By likelihood alone it would be quadratic-drag"));
+              testing::HasSubstr("falls from 33.7 times the motion to 0.31 %"));
 }
 
 TEST(DiagnosisReport, SaysThatAGapStays) {
@@ -181,6 +191,27 @@ TEST(DiagnosisReport, SaysWhyThereIsNoAnswer) {
   EXPECT_THAT(format_text(diagnosis), testing::HasSubstr("the hint comes first"));
   diagnosis.hints = {{HintKind::Sign, "m", "r", Withheld::Answer}};
   EXPECT_THAT(format_text(diagnosis), testing::HasSubstr("No effect is sought"));
+}
+
+TEST(DiagnosisReport, AForceStandsBesideTheSlopeThatItIsWrittenAs) {
+  Diagnosis diagnosis = made();
+  diagnosis.effects.front().parameters = {{"width", "m/s", 0.05, {}}, {"force", "", 0.8, {}}};
+  EXPECT_THAT(format_text(diagnosis),
+              testing::HasSubstr("sign(v), a force of 0.8 m/s^2, explains"));
+}
+
+TEST(DiagnosisReport, WhatExplainsNextToNothingIsANote) {
+  Diagnosis diagnosis = made();
+  NamedEffect small = diagnosis.effects.front();
+  small.description = "cubic term in q";
+  small.alternatives.clear();
+  small.gap_closed = 4e-4;
+  diagnosis.effects.push_back(small);
+  const std::string text = format_text(diagnosis);
+  EXPECT_THAT(text, testing::HasSubstr("\nNote: Equation v: cubic term in q"));
+  diagnosis.effects.erase(diagnosis.effects.begin());
+  EXPECT_THAT(format_text(diagnosis), testing::HasSubstr("\nEquation v: cubic term in q"))
+      << "by itself it is the finding";
 }
 
 }  // namespace

@@ -57,5 +57,11 @@ TEST(RivalsReport, JsonHasTheFieldsOfTheFormat) {
   EXPECT_EQ(json["rivals"][0]["adequacy"], "yes");
 }
 
+TEST(RivalsReport, WhatIsBestAloneIsTiedWithNothing) {
+  RivalComparison alone = two_rivals();
+  alone.rivals[1].is_tied = false;
+  EXPECT_THAT(format_text(alone), ::testing::Not(HasSubstr(", tied")));
+}
+
 }  // namespace
 }  // namespace lacuna
