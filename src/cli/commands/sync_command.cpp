@@ -80,8 +80,7 @@ SyncAnswer answer(const Registry& registry, const SyncRequest& request,
   const OdeModel driven = with_shown_holds(model, data);
   SyncReport report{synchronise(driven, data, *integrator, {.coupling = coupling}, context),
                     model.states(), data.time_unit, coupling.has_value(), request.integrator};
-  if (report.result.stiff && integrator->has_fixed_steps())
-    report.integrator = AutomaticOptions::kInfo.name;
+  if (report.result.stiff) report.integrator = AutomaticOptions::kInfo.name;
   report.verdict = judge(driven, data, report.result);
   return {std::move(report), std::move(data)};
 }

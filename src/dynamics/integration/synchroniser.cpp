@@ -8,6 +8,7 @@
 #include "data/records/known_noise.hpp"
 #include "data/records/number_range.hpp"
 #include "lacuna/dynamics/integration/automatic.hpp"
+#include "lacuna/dynamics/integration/runge_kutta.hpp"
 #include "lacuna/records/binding/model_view.hpp"
 #include "slave.hpp"
 #include "slave_probes.hpp"
@@ -161,13 +162,15 @@ SyncResult synchronise(const OdeModel& model, const Dataset& record,
   const Vector noise = noise_in(view, record, options.noise);
   const SlaveTask task{model, coupling, integrator, window, options.start, seen, context};
   SyncResult result = driven(task, view, noise);
-  if (result.status == IntegrationStatus::Completed) {
-    result.stiff = !integrator.has_fixed_steps() && is_faster_than_samples(task, view);
+  const bool adapts = !integrator.has_fixed_steps();
+  if (result.status == IntegrationStatus::Completed &&
+      !(adapts && is_faster_than_samples(task, view)))
     return result;
-  }
   const Automatic adaptive(stiff_steps(view));
+  // The fewer samples, the less a curve overshoots between them.
+  const LagrangeWindow plain = adapts ? LagrangeWindow::driving(Rk4{}.order()) : window;
   SyncResult finer =
-      driven({model, coupling, adaptive, window, options.start, seen, context}, view, noise);
+      driven({model, coupling, adaptive, plain, options.start, seen, context}, view, noise);
   if (finer.status != IntegrationStatus::Completed) return result;
   finer.stiff = true;
   return finer;

@@ -109,8 +109,7 @@ std::optional<Verification> verify(const IdentificationTask& task, Identificatio
     found.warnings.push_back("synchronisation with the record did not settle");
   SyncVerdict verdict =
       beside(found.adequacy, judge(found.model, driving, sync, task.options.sync));
-  const bool adapted = sync.stiff && integrator.has_fixed_steps();
-  const StageInfo& method = adapted ? AutomaticOptions::kInfo : integrator.info();
+  const StageInfo& method = sync.stiff ? AutomaticOptions::kInfo : integrator.info();
   return Verification{std::move(sync), std::move(verdict), std::string(method.name)};
 }
 

@@ -60,4 +60,18 @@ Vector noise_of_given_rates(const OdeModel& model, const Dataset& data,
       .sqrt();
 }
 
+void note_floors_of_given_rates(const OdeModel& model, const Dataset& data,
+                                const Vector& state_noise, std::vector<EquationFit>& fits) {
+  constexpr double kMost = 2.0;  // of the noise, as judge_fits() has it
+  const Vector noise = noise_of_given_rates(model, data, state_noise);
+  const Vector rounding = kRoundingOfRates * sizes_of_rates(data);
+  for (std::size_t k = 0; k < fits.size(); ++k) {
+    const auto state = static_cast<Index>(k);
+    if (fits[k].residual_rms > kMost * noise[state])
+      fits[k].noise_floor = noise[state];
+    else if (fits[k].residual_rms <= kMost * rounding[state])
+      fits[k].noise_floor = rounding[state];
+  }
+}
+
 }  // namespace lacuna

@@ -2,8 +2,10 @@
 // Records that bring derivatives.
 #pragma once
 
+#include <vector>
+
 #include "lacuna/data/records/dataset.hpp"
-#include "lacuna/model/equations/ode_model.hpp"
+#include "lacuna/identify/pipeline/result.hpp"
 
 namespace lacuna {
 
@@ -19,5 +21,11 @@ inline constexpr double kRoundingOfRates = 1e-8;
 /// @param state_noise m. @return m, in state units per time unit.
 Vector noise_of_given_rates(const OdeModel& model, const Dataset& data,
                             const Vector& state_noise);
+
+/// Enters noise floors where they decide: that noise where a residual is more than twice it,
+/// and rounding where it is no more. Between them there is none: differences of samples that do
+/// not follow each other on a smooth path are no noise.
+void note_floors_of_given_rates(const OdeModel& model, const Dataset& data,
+                                const Vector& state_noise, std::vector<EquationFit>& fits);
 
 }  // namespace lacuna

@@ -207,10 +207,10 @@ EquationOutcome outcome_of(const Run& run, Index state) {
 
 void note_noise_floors(const Run& run, IdentificationResult& result) {
   if (result.model.is_map()) return;
+  if (has_given_rates(run.data))
+    return note_floors_of_given_rates(result.model, run.data, result.noise, result.fit);
   const std::optional<Vector> floor =
-      has_given_rates(run.data)
-          ? noise_of_given_rates(result.model, run.data, result.noise)
-          : run.pipeline.formulation->target_noise(run.data, result.noise);
+      run.pipeline.formulation->target_noise(run.data, result.noise);
   for (std::size_t k = 0; k < result.fit.size() && floor; ++k)
     if (!result.fit[k].identity) result.fit[k].noise_floor = (*floor)[static_cast<Index>(k)];
 }

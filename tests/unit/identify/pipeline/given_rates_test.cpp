@@ -42,5 +42,19 @@ TEST(GivenRates, LeaveTheirNoiseAndThatOfTheStatesThroughTheRates) {
   EXPECT_NEAR(both[0], std::hypot(0.03, 0.01 * std::sqrt(6.0)), 0.004);
 }
 
+TEST(GivenRates, DecideOnlyFarAboveTheirNoiseAndAtRounding) {
+  const OdeModel model = parse_ode("dx/dt = -2*x + x^2", "model");
+  const Dataset data = turning(0.0, 0.03);
+  std::vector<EquationFit> fits(1);
+  const auto has_floor = [&](double residual) {
+    fits[0] = {.equation = "x", .residual_rms = residual};
+    note_floors_of_given_rates(model, data, Vector::Zero(1), fits);
+    return fits[0].noise_floor.has_value();
+  };
+  EXPECT_TRUE(has_floor(0.1));
+  EXPECT_FALSE(has_floor(0.03));
+  EXPECT_TRUE(has_floor(1e-10));
+}
+
 }  // namespace
 }  // namespace lacuna
