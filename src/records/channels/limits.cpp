@@ -50,72 +50,74 @@ Index most_beside(const std::map<double, Index>& counts) {
   return most;
 }
 
+/// A sample of a record.
+struct Sample {
+  const Trajectory* record = nullptr;
+  Index row = 0;
+};
+
 /// Whether inputs and the other measured states have the same values in two samples; false
 /// where there are none.
-bool others_rest(const Dataset& data, const Trajectory& record, Index state, Index a, Index b) {
+bool others_agree(const Dataset& data, Index state, const Sample& a, const Sample& b) {
   bool any = data.input_count() > 0;
-  if (any && record.inputs.row(a) != record.inputs.row(b)) return false;
+  if (any && a.record->inputs.row(a.row) != b.record->inputs.row(b.row)) return false;
   for (Index k = 0; k < data.state_count(); ++k) {
     if (k == state || !data.is_measured(k)) continue;
     any = true;
-    if (record.states(a, k) != record.states(b, k)) return false;
+    if (a.record->states(a.row, k) != b.record->states(b.row, k)) return false;
   }
   return any;
 }
 
 /// Samples first ... first + count - 1 of a piece, all at the end.
 struct Stay {
-  const Vector* values = nullptr;
+  std::size_t piece = 0;
   Index first = 0, count = 0;
-  Index moving = 0;             ///< steps between them in which something else moves
-  bool begins_at_rest = false;  ///< in the first of these nothing does
 
   bool is_begin() const { return first == 0; }  ///< of the record, so how it came is not seen
 };
 
 /// The stays at the end.
-std::vector<Stay> stays_at(const Dataset& data, Index state, const std::vector<Piece>& pieces,
-                           double end) {
+std::vector<Stay> stays_at(const std::vector<Piece>& pieces, double end) {
   std::vector<Stay> stays;
   for (std::size_t r = 0; r < pieces.size(); ++r) {
-    const auto& [values, samples] = pieces[r];
+    const Vector& values = pieces[r].values;
     for (Index i = 0; i < values.size(); ++i) {
       if (values[i] != end) continue;
-      if (i == 0 || values[i - 1] != end) {
-        stays.push_back({&values, i, 1});
-        continue;
-      }
-      Stay& stay = stays.back();
-      const auto at = static_cast<std::size_t>(i);
-      const bool rests =
-          others_rest(data, data.trajectories[r], state, samples[at - 1], samples[at]);
-      stay.begins_at_rest = stay.count == 1 ? rests : stay.begins_at_rest;
-      stay.moving += rests ? 0 : 1;
-      ++stay.count;
+      if (i == 0 || values[i - 1] != end) stays.push_back({r, i, 0});
+      ++stays.back().count;
     }
   }
   return stays;
 }
 
 /// Samples at the end that are no rest. Where a record begins there while all else rests, the
-/// value is one at which the system rests, to which it may come back: then only steps count in
-/// which something else moves.
-Index samples_at_end(const std::vector<Stay>& stays) {
-  const bool is_rest = std::any_of(stays.begin(), stays.end(), [](const Stay& stay) {
-    return stay.is_begin() && stay.begins_at_rest;
+/// value is one at which the system rests, to which it may come back: then only samples count in
+/// which something else has another value than there.
+Index samples_at_end(const Dataset& data, Index state, const std::vector<Piece>& pieces,
+                     const std::vector<Stay>& stays) {
+  const auto sample = [&](const Stay& stay, Index i) {
+    const auto row = static_cast<std::size_t>(stay.first + i);
+    return Sample{&data.trajectories[stay.piece], pieces[stay.piece].samples[row]};
+  };
+  const auto rest = std::find_if(stays.begin(), stays.end(), [&](const Stay& stay) {
+    return stay.is_begin() && stay.count > 1 &&
+           others_agree(data, state, sample(stay, 0), sample(stay, 1));
   });
   Index samples = 0;
   for (const Stay& stay : stays)
-    if (!stay.is_begin()) samples += is_rest ? stay.moving : stay.count;
+    for (Index i = 0; i < stay.count && !stay.is_begin(); ++i)
+      samples += rest == stays.end() ||
+                 !others_agree(data, state, sample(*rest, 0), sample(stay, i));
   return samples;
 }
 
 /// Steps by which the samples come to the end and leave it.
-std::vector<double> steps_at(const std::vector<Stay>& stays) {
+std::vector<double> steps_at(const std::vector<Piece>& pieces, const std::vector<Stay>& stays) {
   std::vector<double> steps;
   for (const Stay& stay : stays) {
     if (stay.is_begin()) continue;
-    const Vector& values = *stay.values;
+    const Vector& values = pieces[stay.piece].values;
     const Index behind = stay.first + stay.count;
     steps.push_back(std::abs(values[stay.first] - values[stay.first - 1]));
     if (behind < values.size()) steps.push_back(std::abs(values[behind] - values[behind - 1]));
@@ -139,9 +141,10 @@ std::optional<double> upper_end(const Dataset& data, Index state,
   const auto [end, count] = *counts.rbegin();
   const auto enough = pile_up * static_cast<double>(std::max<Index>(1, most_beside(counts)));
   if (static_cast<double>(count) <= enough) return std::nullopt;
-  const std::vector<Stay> stays = stays_at(data, state, pieces, end);
-  if (static_cast<double>(samples_at_end(stays)) <= enough) return std::nullopt;
-  if (!comes_at_speed(steps_at(stays), spacing)) return std::nullopt;
+  const std::vector<Stay> stays = stays_at(pieces, end);
+  const Index there = samples_at_end(data, state, pieces, stays);
+  if (static_cast<double>(there) <= enough) return std::nullopt;
+  if (!comes_at_speed(steps_at(pieces, stays), spacing)) return std::nullopt;
   return end;
 }
 

@@ -20,7 +20,7 @@ struct Limits {
 /// the last of which is one of the lattice; what is stopped by a force repeats no value, as its
 /// noise goes on. Samples with which a record begins do not show how the signal came there and
 /// count for nothing; where a record begins so while inputs and other states rest, the value is
-/// one of rest, and only steps count in which something else moves.
+/// one of rest, and only samples count in which something else has another value than there.
 /// @param data samples that are no values are not looked at. @return m entries.
 /// @throws ArgumentError when a record has not the columns of the dataset, or a sample is not
 ///   finite.

@@ -120,6 +120,12 @@ TEST(VisibleLimits, TheRestToWhichItComesBackIsNoLimit) {
   EXPECT_FALSE(visible_limits(data, kPileUp)[0].low);
 }
 
+TEST(VisibleLimits, WhereTheDriveIsAnotherThanAtRestItIsNoRest) {
+  // At rest first, and empty while it is drained later: a channel that shows nothing below 0.
+  const Dataset data = vessel({{0.0, 5.0}, {1.0, 8.0}, {-1.0, 6.0}, {1.0, 3.0}});
+  EXPECT_EQ(visible_limits(data, kPileUp)[0].low, 0.0);
+}
+
 TEST(VisibleLimits, WhatStaysAtItsEndWhileSomethingMovesIsClipped) {
   // The record begins at the end of its channel, and comes back there while its input moves.
   Dataset data = clipped_at(record_of([](double t) { return std::cos(2.0 * t); }, 0.0), -0.8, 0.7);
