@@ -15,7 +15,7 @@
 namespace lacuna {
 namespace {
 
-constexpr double kMissing = std::numeric_limits<double>::quiet_NaN();
+constexpr double kBlank = std::numeric_limits<double>::quiet_NaN();
 
 /// A table with its time.
 struct TimedTable {
@@ -198,7 +198,7 @@ Table joined_on_time(std::vector<Table> tables, const ColumnRoles& roles) {
     snap_to(times, all[i]);
   }
   Table joined;
-  joined.values = Matrix::Constant(rows, columns, kMissing);
+  joined.values = Matrix::Constant(rows, columns, kBlank);
   std::vector<std::string> names, sources;
   std::vector<Index> clocks;
   Index row = 0;

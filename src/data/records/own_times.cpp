@@ -78,9 +78,11 @@ Table with_inputs_everywhere(Table table, const ColumnIndices& columns,
   const std::vector<Index> rows = all_rows(table, *columns.time);
   for (const Index input : columns.inputs) {
     const auto hold = said_hold(table, input, roles);
-    table.values.col(input)(rows) = column_at(
+    const Vector found = column_at(
         table, *columns.time, input,
         hold ? std::optional(interpolation_of(hold)) : std::nullopt, rows);
+    for (std::size_t i = 0; i < rows.size(); ++i)
+      table.values(rows[i], input) = found[static_cast<Index>(i)];
   }
   return table;
 }

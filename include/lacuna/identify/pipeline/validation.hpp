@@ -45,7 +45,7 @@ struct PredictionTest {
   double horizon = 0.0;  ///< length of a window, time units
   Index windows = 0;
   Index lost = 0;                       ///< windows in which the model has no finite solution
-  std::vector<PredictionError> states;  ///< measured ones
+  std::vector<PredictionError> states = {};  ///< measured ones
   Index unstarted = 0;  ///< windows with solutions of which none that fits was found
 };
 
