@@ -62,7 +62,11 @@ Parameter rounded_parameter(Parameter parameter, const Digits& digits) {
 
 Expression with_rounded_numbers(const Expression& e, int digits) {
   if (is_number(e)) return Expression::number(rounded_to(e.value(), digits));
-  if (e.operation() == Operation::Variable || e.operation() == Operation::Delay) return e;
+  if (e.operation() == Operation::Variable) return e;
+  if (e.operation() == Operation::Delay)
+    return e.operands().empty()
+               ? Expression::delayed(e.name(), rounded_to(e.value(), digits))
+               : Expression::delayed(e.name(), with_rounded_numbers(e.operands()[0], digits));
   std::vector<Expression> operands;
   for (const Expression& operand : e.operands())
     operands.push_back(with_rounded_numbers(operand, digits));

@@ -96,5 +96,11 @@ TEST(Rounding, NumbersInFormulasForPeople) {
             parse_expression("(1+0.885*exp(-(x/8.206)^2))*sign(x)").to_string());
 }
 
+TEST(Rounding, TimesOfDelaysAreNumbersInside) {
+  const Expression form = parse_expression("delay(v,0.006999657863728598)-v");
+  EXPECT_EQ(with_rounded_numbers(form, 4).to_string(),
+            parse_expression("delay(v,0.007)-v").to_string());
+}
+
 }  // namespace
 }  // namespace lacuna
