@@ -67,6 +67,7 @@
 #include "lacuna/model/equations/adequacy.hpp"
 #include "lacuna/model/equations/compare_models.hpp"
 #include "lacuna/model/equations/event.hpp"
+#include "lacuna/model/equations/kept_parameters.hpp"
 #include "lacuna/model/equations/noise_law.hpp"
 #include "lacuna/model/equations/ode_model.hpp"
 #include "lacuna/model/equations/parametrised_model.hpp"

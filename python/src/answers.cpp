@@ -68,11 +68,11 @@ Answer diagnose(const Arguments& arguments) {
   given.take_own<WrittenEffect>("own_effects",
                                 [&](auto part) { request.own_effects.emplace_back(part); });
   auto found = answered(given, std::move(request));
-  Answer answer{[found] { return format_json(found->diagnosis); },
+  Answer answer{[found] { return format_json(found->diagnosis, found->augmented); },
                 [found](const TextOptions&) { return text_of(*found); },
                 [found] { return diagnosis_page(found->diagnosis); },
                 [found] { return explanation_of(*found, {}); }};
-  answer.model.emplace(found->diagnosis.augmented);
+  answer.model.emplace(found->augmented);
   return answer;
 }
 

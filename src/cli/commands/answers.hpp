@@ -75,6 +75,7 @@ struct DiagnoseRequest {
 
 struct DiagnoseAnswer {
   Diagnosis diagnosis;
+  SystemModel augmented;  ///< that of the diagnosis, in the parameters of the given model
   std::string read = {};  ///< what was read, in a line
   std::vector<AskedOption> asked = {};  ///< those of which it is known whether they were used
 };

@@ -14,6 +14,7 @@
 #include "diagnose/journey/journey.hpp"
 #include "lacuna/diagnose/journey/diagnose.hpp"
 #include "lacuna/diagnose/journey/fitted_outputs.hpp"
+#include "lacuna/model/equations/kept_parameters.hpp"
 #include "lacuna/model/files/model_file.hpp"
 #include "lacuna/records/binding/read_records.hpp"
 #include "lacuna/report/pages/diagnosis_report.hpp"
@@ -144,15 +145,22 @@ struct Asked {
   const DiagnoseRequest& request;
 };
 
+/// What was found, and the augmented model in the parameters of the given one.
+struct Found {
+  Diagnosis diagnosis;
+  SystemModel augmented;
+};
+
 /// The diagnosis of a model whose outputs have numbers that fit the records.
-Diagnosis diagnosed(const Asked& asked, const Dataset& data, const Dataset& held_out,
-                    const RunContext& context) {
+Found diagnosed(const Asked& asked, const Dataset& data, const Dataset& held_out,
+                const RunContext& context) {
   const FittedOutputs fitted = with_fitted_outputs(asked.model, data, context);
   const OdeModel model = with_holds(fitted.model.model(), asked.request.data);
   Diagnosis found = diagnose(model, data, held_out,
                              make_options(asked.registry, model, asked.request), context);
   found.notes.insert(found.notes.begin(), fitted.notes.begin(), fitted.notes.end());
-  return found;
+  SystemModel augmented = with_parameters_of(fitted.model, found.augmented);
+  return {std::move(found), std::move(augmented)};
 }
 
 /// What a record shows by itself.
@@ -165,8 +173,11 @@ FleetAnswer answer_of(const std::string& file, const SystemModel& given,
     const Dataset data = with_given_limits(
         read_records(model, {file}, roles_of(options), *differentiator, Columns::All),
         options.limits);
-    return fleet_answer(
-        file, diagnosed({session.registry, given, request_of(options)}, data, {}, context));
+    const auto [diagnosis, augmented] =
+        diagnosed({session.registry, given, request_of(options)}, data, {}, context);
+    FleetAnswer answer = fleet_answer(file, diagnosis);
+    answer.diagnosis = format_json(diagnosis, augmented);
+    return answer;
   } catch (const Error& error) {
     return fleet_failure(file, user_text(error));
   }
@@ -208,8 +219,9 @@ int diagnose_command(const Session& session, const DiagnoseArguments& options) {
   finish_progress(session, options.run);
   if (options.model_out)
     write_output(session, *options.model_out,
-                 model_text(*options.model_out, diagnosis.augmented, options.digits));
-  if (options.json) write_output(session, *options.json, format_json(diagnosis));
+                 model_text(*options.model_out, found.augmented, options.digits));
+  if (options.json)
+    write_output(session, *options.json, format_json(diagnosis, found.augmented));
   write_report(session, options.report, [&] { return diagnosis_page(diagnosis); });
   if (options.json != "-" && options.model_out != "-" && options.report.page != "-") {
     show(session, text_of(found));
@@ -259,10 +271,10 @@ DiagnoseAnswer answer(const Registry& registry, const DiagnoseRequest& request,
       records_for(model, request.data, roles_of(request), *differentiator, Columns::All),
       request.limits);
   const Dataset held_out = read_held_out(model, request, *differentiator);
-  Diagnosis found = diagnosed({registry, given, request}, data, held_out, context);
-  std::vector<AskedOption> asked = asked_options(request, found);
-  return {std::move(found), data_line(data, static_cast<Index>(model.inputs().size())),
-          std::move(asked)};
+  Found found = diagnosed({registry, given, request}, data, held_out, context);
+  std::vector<AskedOption> asked = asked_options(request, found.diagnosis);
+  return {std::move(found.diagnosis), std::move(found.augmented),
+          data_line(data, static_cast<Index>(model.inputs().size())), std::move(asked)};
 }
 
 std::string text_of(const DiagnoseAnswer& answer) {

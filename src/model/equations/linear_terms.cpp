@@ -153,6 +153,15 @@ Equation linear_terms(std::span<const Expression> summands, const VariableIndex&
   return equation;
 }
 
+Equation multiplied_out(const WeightedTerm& summand, const VariableIndex& variables) {
+  Equation parts = linear_terms({&summand.term.expression(), 1}, variables);
+  for (WeightedTerm& part : parts) {
+    part.coefficient *= summand.coefficient;
+    part.fixed = part.fixed && summand.fixed;
+  }
+  return parts;
+}
+
 Expression kept_together(const Expression& term, const std::set<std::string>& parameters,
                          bool bare) {
   const bool stays = has_any(term, parameters);

@@ -23,6 +23,10 @@ namespace lacuna {
 Equation linear_terms(std::span<const Expression> summands, const VariableIndex& variables,
                       const std::set<std::string>& parameters = {});
 
+/// A summand multiplied out: with numbers for parameters its sums are sums of numbers times
+/// terms. A number in it is a coefficient that may change.
+Equation multiplied_out(const WeightedTerm& summand, const VariableIndex& variables);
+
 /// A summand so written that linear_terms() gives its term back: sums in it to the power of 1,
 /// but for those that stay together as they are.
 /// @param bare whether nothing but a sign is written in front of the term.

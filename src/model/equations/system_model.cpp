@@ -91,17 +91,6 @@ WeightedTerm with_numbers(const WeightedTerm& summand, const Numbers& numbers, b
           .fixed = summand.fixed && !sized};
 }
 
-/// A summand multiplied out: with numbers for parameters its sums are sums of numbers times
-/// terms. A number in it is a coefficient that may change.
-Equation parts_of(const WeightedTerm& summand, const VariableIndex& variables) {
-  Equation parts = linear_terms({&summand.term.expression(), 1}, variables);
-  for (WeightedTerm& part : parts) {
-    part.coefficient *= summand.coefficient;
-    part.fixed = part.fixed && summand.fixed;
-  }
-  return parts;
-}
-
 std::vector<Output> substituted(std::vector<Output> outputs, const Numbers& numbers) {
   for (Output& output : outputs) output.formula = substitute(output.formula, numbers);
   return outputs;
@@ -246,7 +235,7 @@ OdeModel SystemModel::model() const {
         plain.add(summand);
         continue;
       }
-      for (const WeightedTerm& part : parts_of(summand, names)) {
+      for (const WeightedTerm& part : multiplied_out(summand, names)) {
         const Expression& term = part.term.expression();
         const bool by_free = is_sized(term, names_, free);
         WeightedTerm numeric = with_numbers(part, numbers, by_free, variables);

@@ -227,6 +227,10 @@ Json why_json(const Diagnosis& diagnosis) {
 }  // namespace
 
 std::string format_json(const Diagnosis& diagnosis) {
+  return format_json(diagnosis, diagnosis.augmented);
+}
+
+std::string format_json(const Diagnosis& diagnosis, const SystemModel& augmented) {
   Json json{{"format", "lacuna.diagnosis/1"},
             {"verdict", to_string(diagnosis.verdict)},
             {"why", why_json(diagnosis)},
@@ -243,7 +247,7 @@ std::string format_json(const Diagnosis& diagnosis) {
   json["gap"] = diagnosis.gap ? gap_json(*diagnosis.gap) : Json();
   json["remaining"] = remaining_json(diagnosis);
   json["unnamed"] = unnamed_json(diagnosis);
-  json["augmented_model"] = Json::parse(format_model(diagnosis.augmented));
+  json["augmented_model"] = Json::parse(format_model(augmented));
   json["noise"] = noise_json(diagnosis);
   json["rounds"] = rounds_json(diagnosis);
   json["rivals"] = rivals_json(diagnosis);

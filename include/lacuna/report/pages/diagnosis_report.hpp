@@ -4,6 +4,7 @@
 #include <string>
 
 #include "lacuna/diagnose/journey/diagnosis.hpp"
+#include "lacuna/model/equations/system_model.hpp"
 
 namespace lacuna {
 
@@ -16,5 +17,8 @@ std::string format_trail(const Diagnosis& diagnosis);
 
 /// JSON text of the format "lacuna.diagnosis/1".
 std::string format_json(const Diagnosis& diagnosis);
+
+/// The same with the augmented model in other words, as with_parameters_of() has it.
+std::string format_json(const Diagnosis& diagnosis, const SystemModel& augmented);
 
 }  // namespace lacuna

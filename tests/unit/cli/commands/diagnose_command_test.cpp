@@ -78,6 +78,43 @@ TEST(DiagnoseCommand, TellsTheMissingEffectInAFewLines) {
   EXPECT_NEAR(augmented.coefficient(1, "sign(v)"), -0.3, 0.02);
 }
 
+TEST(DiagnoseCommand, WritesTheModelInTheParametersOfTheGivenOne) {
+  const HiddenRecords records(friction);
+  const std::string nominal =
+      "input F\nstate q\nstate v\nparam m = 0.5 [kg] in 0.1..10\nparam k = 1.6 +- 0.8\n"
+      "param d = 0.1 */ 2\ndq/dt = v\ndv/dt = (0.5*F - k*q - d*v)/m\n";
+  std::ofstream(records.file("nominal.ode")) << nominal;
+  const std::vector<std::string> sources{"--model", records.file("nominal.ode"),
+                                         records.file("r1.csv"), "--holdout",
+                                         records.file("r2.csv")};
+  const std::string better = records.file("better.ode");
+  const auto found = run_command(
+      with(with(with({"diagnose"}, sources), kTwoEffects),
+           {"--digits", "full", "--json", records.file("d.json"), "--model-out", better}));
+  ASSERT_EQ(found.status, 0) << found.err;
+  const SystemModel written = read_system(better);
+  ASSERT_EQ(written.parameters().size(), 3u);
+  EXPECT_EQ(written.parameters()[0].value, 0.5);
+  EXPECT_EQ(written.parameters()[0].unit, "kg");
+  EXPECT_EQ(written.parameters()[1].deviation, 0.8);
+  EXPECT_EQ(written.parameters()[2].factor, 2.0);
+  EXPECT_NEAR(written.symbolic().coefficient(1, "q*m^-1*k"), -1.25, 0.01);
+  EXPECT_NEAR(written.model().coefficient(1, "q"), -4.0, 0.03);
+  EXPECT_NEAR(written.model().coefficient(1, "sign(v)"), -0.3, 0.02);
+
+  const auto json = nlohmann::json::parse(std::ifstream(records.file("d.json")));
+  const SystemModel same = parse_system(json["augmented_model"].dump(), "d.json");
+  EXPECT_EQ(to_text(same.symbolic()), to_text(written.symbolic()));
+  for (const auto& change : json["coefficient_changes"])
+    EXPECT_DOUBLE_EQ(written.model().coefficient(1, change["term"]), change["estimated"])
+        << change.dump();
+
+  const auto refitted = run_command({"fit", better, records.file("r1.csv"), "--model-out",
+                                     records.file("fitted.ode"), "--effort", "quick"});
+  ASSERT_EQ(refitted.status, 0) << refitted.err;
+  EXPECT_NEAR(read_model(records.file("fitted.ode")).coefficient(1, "q"), -4.0, 0.03);
+}
+
 TEST(DiagnoseCommand, AnswersForEachRecordOfAFleet) {
   const HiddenRecords records(friction);
   std::ofstream(records.file("r3.csv")) << "t,q,v,F\n";
