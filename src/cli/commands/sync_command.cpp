@@ -46,6 +46,9 @@ std::string notes_of(const Dataset& data, const SyncReport& report) {
   if (report.result.stiff)
     lines +=
         "Note: the slave is faster than the samples: its steps between them were adapted\n";
+  if (report.result.by_fixed_steps)
+    lines += "Note: steps that adapt got too small, as where rates jump: fixed steps were taken "
+             "(rk4), and halved once to see what they add\n";
   return lines;
 }
 
@@ -81,6 +84,7 @@ SyncAnswer answer(const Registry& registry, const SyncRequest& request,
   SyncReport report{synchronise(driven, data, *integrator, {.coupling = coupling}, context),
                     model.states(), data.time_unit, coupling.has_value(), request.integrator};
   if (report.result.stiff) report.integrator = AutomaticOptions::kInfo.name;
+  if (report.result.by_fixed_steps) report.integrator = Rk4Options::kInfo.name;
   report.verdict = judge(driven, data, report.result);
   return {std::move(report), std::move(data)};
 }
@@ -94,6 +98,8 @@ std::string text_of(const SyncAnswer& answer) {
 std::string failure_of(const SyncAnswer& answer) {
   const SyncResult& result = answer.report.result;
   if (result.status == IntegrationStatus::Completed) return "";
+  if (result.status == IntegrationStatus::StepTooSmall)
+    return result.message + "; try fixed steps (--integrator rk4)";
   return result.message + "; try " + stronger_coupling(answer.report.states, result.coupling);
 }
 

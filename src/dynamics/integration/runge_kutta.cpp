@@ -104,10 +104,12 @@ class RungeKuttaStepper : public Stepper {
     if (bound_ == 0.0) bound_ = divergence_bound(x, static_cast<Index>(next_.size()));
   }
 
-  bool next_is_bounded() const {
-    return std::all_of(next_.begin(), next_.end(),
+  bool is_bounded(const double* x) const {
+    return std::all_of(x, x + next_.size(),
                        [this](double value) { return std::abs(value) <= bound_; });
   }
+
+  bool next_is_bounded() const { return is_bounded(next_.data()); }
 
   void accept(double* x) const { std::copy(next_.begin(), next_.end(), x); }
 
@@ -208,6 +210,7 @@ class AdaptiveStepper final : public RungeKuttaStepper {
   std::optional<IntegrationStatus> implicitly(RightHandSide rhs, double& t, double t1, double* x) {
     if (!implicit_) return std::nullopt;
     const IntegrationStatus status = implicit_->advance(rhs, t, t1, x);
+    if (!is_bounded(x)) return IntegrationStatus::Diverged;
     if (status != IntegrationStatus::StepTooSmall) return status;
     implicit_.reset();
     stiffness_ = {};

@@ -53,7 +53,11 @@ struct SyncVerdictOptions {
 /// - Else the equation is named to which the coupling has to add the largest part of its own
 ///   rate, beyond what the noise makes; one that is an identity (dq/dt = v) is none.
 ///   With hidden states none is named: what one lacks, the coupling adds to another.
-/// - Where nothing measured moves there is no verdict.
+/// - Where nothing measured moves there is no verdict; nor is there one on an integration that
+///   could not go on (StepTooSmall).
+/// - Nor does an error show anything in fewer samples than ValidationOptions::least_freedom, or
+///   where the slave has not forgotten the noise of its first sample: an error below three times
+///   SyncResult::start_response beside the floor of the state.
 /// - What fixed steps of the integrator add (SyncResult::step_errors) is taken off the errors;
 ///   where these are still above, and below what the steps add, there is no verdict.
 /// @param record that drove the slave, in the states of the model.
