@@ -58,7 +58,7 @@ inline Dataset cut_at_gaps(const Dataset& data, const std::vector<bool>& leave_o
     Index end = i;
     while (end < record.samples() && !leave_out[static_cast<std::size_t>(end)]) ++end;
     if (end - i >= 2)
-      result.trajectories.push_back({record.source + ", record " + std::to_string(end),
+      result.trajectories.push_back({record.source + ", piece " + std::to_string(end),
                                      record.time.segment(i, end - i),
                                      record.states.middleRows(i, end - i),
                                      Matrix(end - i, 0),

@@ -12,6 +12,7 @@
 #include "data/formats/joined_files.hpp"
 #include "data/times/time_names.hpp"
 #include "lacuna/core/base/options.hpp"
+#include "lacuna/data/records/table.hpp"
 
 namespace lacuna::cli {
 namespace {
@@ -20,8 +21,30 @@ std::vector<std::string> list_of(const std::string& text) {
   return text.empty() ? std::vector<std::string>{} : split_list(text);
 }
 
-std::vector<Assignment> read_holds(const std::vector<std::string>& assignments) {
-  return read_assignments({"--hold", "NAME=HOLD", "--hold u=zero"}, assignments);
+/// What an input is called whose column is named: as --map says, else as headers are read
+/// (`effort[0]` is effort_0).
+std::string input_name(const DataOptions& options, const std::string& column) {
+  for (const auto& [name, mapped] : common_roles(options).names)
+    if (mapped == column) return name;
+  return is_identifier(column) ? column : to_identifier(column);
+}
+
+/// With the names of the inputs as in the records.
+std::vector<Assignment> read_holds(const DataOptions& options) {
+  std::vector<Assignment> holds =
+      read_assignments({"--hold", "NAME=HOLD", "--hold u=zero"}, options.holds);
+  for (Assignment& part : holds) part.name = input_name(options, part.name);
+  return holds;
+}
+
+[[noreturn]] void fail_input(const Assignment& part, const std::vector<Quantity>& inputs) {
+  const std::string problem = "there is no input '" + part.name + "'";
+  if (inputs.empty())
+    throw ConfigError("--hold " + part.text, problem + ", nor any other",
+                      "say which columns are inputs, in the model or by --inputs");
+  throw ConfigError("--hold " + part.text, problem,
+                    "name one of " + join(names_of(inputs), ", ") + ", e.g. --hold " +
+                        inputs.front().name + "=zero");
 }
 
 ColumnRoles roles_of(const DataOptions& options) {
@@ -29,19 +52,17 @@ ColumnRoles roles_of(const DataOptions& options) {
   roles.states = list_of(options.states);
   roles.inputs = list_of(options.inputs);
   roles.derivatives = list_of(options.derivatives);
-  for (const Assignment& part : read_holds(options.holds))
+  for (const Assignment& part : read_holds(options))
     if (const auto hold = hold_named(part.value)) roles.holds.emplace_back(part.name, *hold);
   return roles;
 }
 
-void set_holds(const std::vector<std::string>& assignments, std::vector<Quantity>& inputs) {
-  for (const Assignment& part : read_holds(assignments)) {
+void set_holds(const DataOptions& options, std::vector<Quantity>& inputs) {
+  for (const Assignment& part : read_holds(options)) {
     const auto input =
         std::find_if(inputs.begin(), inputs.end(),
                      [&](const Quantity& quantity) { return quantity.name == part.name; });
-    if (input == inputs.end())
-      throw ConfigError("--hold " + part.text, "there is no input '" + part.name + "'",
-                        "name an input, e.g. --hold u=zero");
+    if (input == inputs.end()) fail_input(part, inputs);
     input->hold = hold_named(part.value);
     if (!input->hold && part.value != "auto")
       throw ConfigError("--hold " + part.text, "'" + part.value + "' is not a hold",
@@ -143,7 +164,7 @@ void check_map(const DataOptions& options, std::vector<std::string> known) {
 
 OdeModel with_holds(const OdeModel& model, const DataOptions& options) {
   std::vector<Quantity> inputs = model.inputs();
-  set_holds(options.holds, inputs);
+  set_holds(options, inputs);
   std::vector<std::optional<Hold>> holds;
   for (const Quantity& input : inputs) holds.push_back(input.hold);
   return model.with_holds(holds);
@@ -152,7 +173,7 @@ OdeModel with_holds(const OdeModel& model, const DataOptions& options) {
 Dataset read_data(const DataOptions& options) {
   Dataset data = options.tables.empty() ? read_dataset(options.paths, roles_of(options))
                                         : dataset_of_tables(options.tables, roles_of(options));
-  set_holds(options.holds, data.inputs);
+  set_holds(options, data.inputs);
   return data;
 }
 

@@ -83,11 +83,14 @@ Dataset described(Table table, const ColumnIndices& columns, ColumnRoles roles) 
 
 void add_records(const std::shared_ptr<const RecordFile>& file, Records found,
                  std::vector<std::shared_ptr<const SampleSource>>& records) {
-  for (std::size_t i = 0; i < found.ranges.size(); ++i) {
-    std::string name = file->file.columns().source;
-    if (found.ranges.size() > 1) name = piece_name(name, i + 1);
-    records.push_back(std::make_shared<const RecordInFile>(file, found.ranges[i], name));
-  }
+  const std::optional<Index> numbered = file->columns.trajectory;
+  std::vector<double> numbers;
+  for (const TableRows& rows : found.ranges)
+    numbers.push_back(numbered ? file->file.values(rows.first, 1)(0, *numbered) : 0.0);
+  const std::vector<std::string> names =
+      names_of_parts(file->file.columns().source, numbers);
+  for (std::size_t i = 0; i < found.ranges.size(); ++i)
+    records.push_back(std::make_shared<const RecordInFile>(file, found.ranges[i], names[i]));
 }
 
 /// The same roles, or with states that are no derivatives of others by the first rows.

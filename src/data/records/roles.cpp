@@ -307,10 +307,14 @@ Dataset assign_roles(const Table& given, const ColumnRoles& roles) {
   if (roles.time_unit) data.time_unit = *roles.time_unit;
   const Records records = split_records(table, columns, roles.blanks == Blanks::Keep);
   append(data.notes, records.notes);
+  std::vector<double> numbers;
+  for (const TableRows& rows : records.ranges)
+    numbers.push_back(columns.trajectory ? table.values(rows.first, *columns.trajectory) : 0.0);
+  const std::vector<std::string> names = names_of_parts(table.source, numbers);
   for (std::size_t i = 0; i < records.ranges.size(); ++i) {
     const TableRows& rows = records.ranges[i];
     Trajectory trajectory = take_record(table, columns, roles.step, rows);
-    if (records.ranges.size() > 1) trajectory.source = piece_name(trajectory.source, i + 1);
+    trajectory.source = names[i];
     if (filled && filled->marks.size() > 0)
       trajectory.marks = filled->marks.middleRows(rows.first, rows.count);
     data.trajectories.push_back(std::move(trajectory));

@@ -46,7 +46,8 @@ std::string file_of(const Trajectory& trajectory) {
 bool goes_on(const Trajectory& before, const Trajectory& after, double longest_gap) {
   if (before.samples() == 0 || after.samples() == 0) return false;
   const double gap = after.time[0] - before.time[before.samples() - 1];
-  return file_of(before) == file_of(after) && gap > 0.0 && gap <= longest_gap;
+  return record_of(before.source) == record_of(after.source) && gap > 0.0 &&
+         gap <= longest_gap;
 }
 
 }  // namespace lacuna

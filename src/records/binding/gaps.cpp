@@ -56,7 +56,7 @@ Vector times_of(std::span<const Trajectory> pieces) {
 
 Trajectory joined(std::span<const Trajectory> pieces) {
   if (pieces.size() == 1) return pieces.front();
-  return {file_of(pieces.front()),
+  return {record_of(pieces.front().source),
           times_of(pieces),
           stacked(pieces, &Trajectory::states),
           stacked(pieces, &Trajectory::inputs),
@@ -116,10 +116,27 @@ std::vector<Trajectory> known_parts(const Trajectory& record, const std::vector<
   return parts;
 }
 
+using NameOf = std::string (*)(const std::string&);
+
+std::string file_name_of(const std::string& source) {
+  return source.substr(0, end_of_file_name(source));
+}
+
+/// Numbers anew the parts of those that were cut, by what they are of.
+void number_parts(const std::set<std::string>& cut, NameOf whole,
+                  std::string (*name)(const std::string&, std::size_t),
+                  std::vector<Trajectory>& records) {
+  std::map<std::string, std::size_t> counts;
+  for (Trajectory& record : records)
+    if (const std::string of = whole(record.source); cut.contains(of))
+      record.source = name(of, ++counts[of]);
+}
+
 /// Records without stretches in which no channel shows anything for longer than a model is
 /// carried on.
 Dataset without_blank_stretches(Dataset data, const GapOptions& options) {
   std::vector<Trajectory> records;
+  std::set<std::string> cut;
   for (const Trajectory& record : data.trajectories) {
     if (record.marks.size() == 0) {
       records.push_back(record);
@@ -128,10 +145,10 @@ Dataset without_blank_stretches(Dataset data, const GapOptions& options) {
     const std::vector<bool> blank = blank_samples(data, record);
     const double longest = longest_time(options, step_of_known(record, blank));
     std::vector<Trajectory> parts = known_parts(record, blank, longest);
-    for (std::size_t i = 0; i < parts.size() && parts.size() > 1; ++i)
-      parts[i].source = piece_name(file_of(record), records.size() + 1 + i);
+    if (parts.size() > 1) cut.insert(record_of(record.source));
     std::move(parts.begin(), parts.end(), std::back_inserter(records));
   }
+  number_parts(cut, record_of, piece_name, records);
   data.trajectories = std::move(records);
   return data;
 }
@@ -185,14 +202,6 @@ struct Cuts {
   std::size_t in_gaps = 0;         ///< of them those behind missing samples
 };
 
-/// Numbers the records of files that were cut anew.
-void number_pieces(const std::set<std::string>& files, std::vector<Trajectory>& records) {
-  std::map<std::string, std::size_t> counts;
-  for (Trajectory& record : records)
-    if (const std::string file = file_of(record); files.contains(file))
-      record.source = piece_name(file, ++counts[file]);
-}
-
 Cuts cut_at_seams(Dataset& data) {
   Cuts cuts;
   std::vector<Trajectory> records;
@@ -211,7 +220,7 @@ Cuts cut_at_seams(Dataset& data) {
       begin = end;
     }
   }
-  number_pieces(files, records);
+  number_parts(files, file_name_of, record_name, records);
   data.trajectories = std::move(records);
   return cuts;
 }

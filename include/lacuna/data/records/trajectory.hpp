@@ -44,9 +44,9 @@ Trajectory rows_of(const Trajectory& trajectory, Index first, Index count);
 /// File that a record comes from: "run.csv" of "run.csv, record 2".
 std::string file_of(const Trajectory& trajectory);
 
-/// Whether a record goes on where another one of the same file ends, as after missing samples:
-/// it begins later, by `longest_gap` at most. Nothing goes on from or to a record without
-/// samples.
+/// Whether a piece goes on where another one of the same record ("run.csv, piece 1") ends, as
+/// after missing samples: it begins later, by `longest_gap` at most. A record with a number of
+/// its own ("run.csv, record 2") goes on from no other, and nothing from or to no samples.
 bool goes_on(const Trajectory& before, const Trajectory& after, double longest_gap);
 
 }  // namespace lacuna

@@ -26,9 +26,10 @@ struct GapOptions {
   }
 };
 
-/// The records with those joined that follow one another in one file after a gap of at most
-/// GapOptions::longest_gap usual steps (the median of all): a model goes on from one sample to
-/// the next however far they are apart. A joined record is named like its file.
+/// The records with those pieces joined that follow one another in one record after a gap of at
+/// most GapOptions::longest_gap usual steps (the median of all): a model goes on from one sample
+/// to the next however far they are apart. Records with numbers of their own ("run.csv,
+/// record 2") stay apart, as do those that are cut at seams.
 /// @param data at least one record.
 /// @throws ArgumentError when a record has not the columns of the dataset.
 Dataset join_across_gaps(const Dataset& data, const GapOptions& options = {});

@@ -78,6 +78,27 @@ TEST(DataOptions, TheUnitOfTheTimeIsOneThatTimesAreConvertedFrom) {
   }
 }
 
+TEST(DataOptions, AHoldTakesTheSpellingOfTheHeader) {
+  const TemporaryFolder folder;
+  std::string rows = "t,x,drive[0],drive[1]\n";
+  for (int i = 0; i < 100; ++i)
+    rows += std::to_string(0.05 * i) + "," + std::to_string(std::cos(0.1 * i)) + "," +
+            std::to_string(i % 7) + "," + std::to_string(std::sin(0.3 * i)) + "\n";
+  const std::string path = folder.write("d.csv", rows);
+  const auto run = [&](const std::string& hold, const std::string& map) {
+    return run_command({"check", path, "--inputs", map.empty() ? "drive[0],drive[1]" : "u",
+                        "--states", "x", "--hold", hold, "--map",
+                        map.empty() ? "w=drive[1]" : map});
+  };
+  EXPECT_EQ(run("drive[0]=zero,w=linear", "").err, "");
+  EXPECT_EQ(run("drive[1]=linear", "").err, "");
+  EXPECT_EQ(run("drive[0]=zero", "u=drive[0]").err, "");
+  expect_failure(run("drive[2]=zero", ""), 2,
+                 {"--hold drive[2]=zero", "there is no input", "name one of drive_0, w"});
+  expect_failure(run_command({"check", path, "--hold", "x=zero"}), 2,
+                 {"no input 'x', nor any other", "--inputs"});
+}
+
 TEST(DataOptions, MapGivesNoNameThatTheModelLacks) {
   const testing::Records records;
   const std::string model = records.oscillator_model(), data = records.oscillator();

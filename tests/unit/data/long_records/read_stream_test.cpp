@@ -337,10 +337,25 @@ TEST(ReadStream, TextGivesTheSameModelToTheBit) {
     EXPECT_EQ(stream.records().size(), 2U);
     EXPECT_EQ(stream.excerpt().time_unit, "ms");
     EXPECT_EQ(stream.excerpt().notes, data.notes);
-    EXPECT_EQ(stream.excerpt().trajectories[0].source, path + ", record 1");
+    EXPECT_EQ(stream.excerpt().trajectories[0].source, path + ", piece 1");
     EXPECT_EQ(format_model(identify(stream, pipeline).model),
               format_model(identify(data, pipeline).model));
   }
+}
+
+TEST(ReadStream, NamesRecordsAndPiecesAsInMemory) {
+  const TemporaryFolder folder;
+  const Matrix values = lorenz_table(150000);
+  Matrix numbered(values.rows(), values.cols() + 1);
+  numbered << values, Vector::Ones(values.rows());
+  numbered.rightCols(1).bottomRows(60000).setConstant(2.0);
+  numbered(120000, 2) = std::numeric_limits<double>::quiet_NaN();
+  const std::string path = saved_as_text(folder, "long.csv", "t,x,y,z,run", numbered);
+  const RecordStream stream = read_stream({path}, {.trajectory = "run"});
+  std::vector<std::string> names;
+  for (const auto& record : stream.records()) names.push_back(record->read(0, 2).source);
+  EXPECT_THAT(names, ::testing::ElementsAre(path + ", record 1", path + ", record 2, piece 1",
+                                            path + ", record 2, piece 2"));
 }
 
 TEST(ReadStream, TextHasTheErrorsThatItHasInMemory) {

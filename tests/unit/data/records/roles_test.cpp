@@ -136,6 +136,24 @@ TEST(AssignRoles, AStepStartsAgainInEveryNumberedRecord) {
   EXPECT_EQ(data.trajectories[1].source, "a.csv, record 2");
 }
 
+TEST(AssignRoles, PiecesOfARecordAreToldFromRecords) {
+  const auto sources = [](const std::string& text, const ColumnRoles& roles) {
+    std::vector<std::string> names;
+    for (const Trajectory& record :
+         assign_roles(parse_text_table(text, "a.csv"), roles).trajectories)
+      names.push_back(record.source);
+    return names;
+  };
+  const std::string text = "t,run,x\n0,7,1\n1,7,2\n2,5,2\n3,5,1\n4,5,\n5,5,4\n6,5,4\n";
+  EXPECT_THAT(sources(text, {.trajectory = "run"}),
+              ElementsAre("a.csv, record 1", "a.csv, record 2, piece 1",
+                          "a.csv, record 2, piece 2"));
+  EXPECT_THAT(sources("t,x\n0,1\n1,2\n2,\n3,4\n4,4\n", {}),
+              ElementsAre("a.csv, piece 1", "a.csv, piece 2"));
+  EXPECT_THAT(sources("t,run,x\n0,7,1\n1,7,2\n", {.trajectory = "run"}),
+              ElementsAre("a.csv"));
+}
+
 TEST(AssignRoles, AStateCalledTGetsAnotherName) {
   const Dataset data = assign_roles(table_of("time,t,x"), {.time = "time"});
   EXPECT_THAT(names_of(data.states), ElementsAre("t_", "x"));

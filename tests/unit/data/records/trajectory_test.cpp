@@ -55,13 +55,20 @@ TEST(RowsOf, AreTheSamplesOfAllThatThereIs) {
 
 TEST(GoesOn, AfterAShortGapInTheSameFile) {
   Trajectory before = record_at({0.0, 1.0}), after = record_at({3.0, 4.0});
-  before.source = "run.csv, record 1";
-  after.source = "run.csv, record 2";
+  before.source = "run.csv, piece 1";
+  after.source = "run.csv, piece 2";
   EXPECT_EQ(file_of(after), "run.csv");
   EXPECT_TRUE(goes_on(before, after, 2.0));
   EXPECT_FALSE(goes_on(before, after, 1.9));
   EXPECT_FALSE(goes_on(after, before, 9.0));
-  after.source = "other.csv, record 2";
+  before.source = "run.csv, record 1";
+  after.source = "run.csv, record 2";
+  EXPECT_FALSE(goes_on(before, after, 2.0)) << "a record begins there";
+  before.source = "run.csv, record 2, piece 1";
+  after.source = "run.csv, record 2, piece 2";
+  EXPECT_EQ(file_of(after), "run.csv");
+  EXPECT_TRUE(goes_on(before, after, 2.0));
+  after.source = "other.csv, record 2, piece 2";
   EXPECT_FALSE(goes_on(before, after, 2.0));
 }
 

@@ -234,7 +234,7 @@ Dataset in_pieces(Dataset whole) {
   const Trajectory record = std::exchange(whole.trajectories, {}).front();
   for (Index first = 0; first + 15 <= record.samples(); first += 17)
     whole.trajectories.push_back(
-        {"made, record " + std::to_string(whole.trajectories.size() + 1),
+        {"made, piece " + std::to_string(whole.trajectories.size() + 1),
          record.time.segment(first, 15),
          record.states.middleRows(first, 15),
          record.inputs.middleRows(first, 15),

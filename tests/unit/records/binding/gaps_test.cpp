@@ -15,10 +15,10 @@ namespace {
 
 using ::testing::ElementsAre;
 
-/// Samples [first, end) of an oscillation as record `number` of a file.
+/// Samples [first, end) of an oscillation as piece `number` of a file.
 Trajectory piece(Index first, Index end, int number) {
   Trajectory part = rows_of(oscillation(400), first, end - first);
-  part.source = "run.csv, record " + std::to_string(number);
+  part.source = "run.csv, piece " + std::to_string(number);
   return part;
 }
 
@@ -38,7 +38,7 @@ TEST(JoinAcrossGaps, JoinsUpToTenStepsAndNoFurther) {
   // From sample 99 to 109 are ten steps, from 199 to 210 eleven.
   const Dataset data =
       join_across_gaps(pieces({piece(0, 100, 1), piece(109, 200, 2), piece(210, 400, 3)}));
-  EXPECT_THAT(sources(data), ElementsAre("run.csv", "run.csv, record 3"));
+  EXPECT_THAT(sources(data), ElementsAre("run.csv", "run.csv, piece 3"));
   const Trajectory& joined = data.trajectories[0];
   ASSERT_EQ(joined.samples(), 191);
   const Trajectory whole = oscillation(400);
@@ -64,8 +64,18 @@ TEST(JoinAcrossGaps, KeepsDerivativesAndDoesNotMixRecordsWithThoseWithout) {
 
 TEST(JoinAcrossGaps, DoesNotJoinFiles) {
   Dataset data = pieces({piece(0, 100, 1), piece(102, 200, 2)});
-  data.trajectories[1].source = "other.csv, record 2";
+  data.trajectories[1].source = "other.csv, piece 2";
   EXPECT_EQ(join_across_gaps(data).trajectories.size(), 2u);
+}
+
+TEST(JoinAcrossGaps, DoesNotJoinRecordsWithNumbersOfTheirOwn) {
+  Dataset data = pieces({piece(0, 100, 1), piece(100, 200, 2), piece(202, 300, 3)});
+  data.trajectories[0].source = "run.csv, record 1";
+  data.trajectories[1].source = "run.csv, record 2, piece 1";
+  data.trajectories[2].source = "run.csv, record 2, piece 2";
+  EXPECT_THAT(sources(join_across_gaps(data)),
+              ElementsAre("run.csv, record 1", "run.csv, record 2"));
+  EXPECT_EQ(usable_records(data).data.trajectories.size(), 2u);
 }
 
 TEST(NotesOnJumps, SaidWhereTimeIsRegularOtherwise) {
@@ -76,7 +86,7 @@ TEST(NotesOnJumps, SaidWhereTimeIsRegularOtherwise) {
   time.tail(40).array() += 12.0 * step;
   const std::vector<std::string> notes = notes_on_jumps(data);
   ASSERT_EQ(notes.size(), 1u);
-  EXPECT_NE(notes[0].find("run.csv, record 1, 13 steps"), std::string::npos) << notes[0];
+  EXPECT_NE(notes[0].find("run.csv, piece 1, 13 steps"), std::string::npos) << notes[0];
   EXPECT_TRUE(notes_on_jumps(data, {.longest_gap = 13.0}).empty());
   for (Index i = 0; i < time.size(); i += 5) time[i] += 0.3 * step;  // uneven
   EXPECT_TRUE(notes_on_jumps(data).empty());
@@ -86,11 +96,11 @@ TEST(NotesOnJumps, SaidWhereTimeIsRegularOtherwise) {
 TEST(UsableRecords, LeavesShortOnesOutAndSaysSo) {
   const UsableRecords usable = usable_records(
       pieces({piece(0, 12, 1), piece(14, 30, 2), piece(100, 119, 3), piece(200, 220, 4)}));
-  EXPECT_THAT(sources(usable.data), ElementsAre("run.csv", "run.csv, record 4"));
+  EXPECT_THAT(sources(usable.data), ElementsAre("run.csv", "run.csv, piece 4"));
   EXPECT_THAT(usable.notes, ElementsAre("1 short gaps in the records are bridged",
                                         "1 pieces of less than 20 samples were left out"));
   testing::expect_error<DataError>([] { usable_records(pieces({piece(0, 19, 1)})); },
-                                   "run.csv, record 1", "no record has 20 samples", "longer");
+                                   "run.csv, piece 1", "no record has 20 samples", "longer");
   EXPECT_EQ(usable_records(pieces({piece(0, 19, 1)}), {.shortest_record = 19}).notes.size(),
             0u);
 }
@@ -169,7 +179,7 @@ TEST(SplitInTime, KeepsTheLastQuarterBack) {
   EXPECT_EQ(find.trajectories[1].samples(), 38);
   EXPECT_EQ(check.trajectories[1].samples(), 12);
   EXPECT_EQ(check.trajectories[0].time[0], oscillation(400).time[75]);
-  EXPECT_EQ(check.trajectories[1].source, "run.csv, record 2, last quarter");
+  EXPECT_EQ(check.trajectories[1].source, "run.csv, piece 2, last quarter");
   EXPECT_EQ(find.states, check.states);
   Dataset unnamed = pieces({piece(0, 100, 1)});
   unnamed.trajectories[0].source.clear();

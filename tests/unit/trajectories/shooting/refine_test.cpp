@@ -138,7 +138,7 @@ Dataset with_missing_samples(const Dataset& record, std::uint64_t seed) {
   for (Index i = 0; i <= run.samples(); ++i) {
     if (i < run.samples() && random.uniform() > 0.2) continue;
     if (i - first >= 2)
-      result.trajectories.push_back({.source = "run.csv, record " + std::to_string(i),
+      result.trajectories.push_back({.source = "run.csv, piece " + std::to_string(i),
                                      .time = run.time.segment(first, i - first),
                                      .states = run.states.middleRows(first, i - first),
                                      .inputs = Matrix(i - first, 0),
