@@ -113,9 +113,9 @@ TEST(SyncCommand, AdaptsItsStepsAndJudgesWithoutThoseThatAreGiven) {
 
 TEST(SyncCommand, ACouplingBelowZeroIsNotMadeStronger) {
   const Records records;
-  const auto result = run_command({"sync", "rossler", records.rossler(), "--coupling", "x=-3"});
+  const auto result = run_command({"sync", "rossler", records.rossler(), "--coupling", "x=-8"});
   EXPECT_EQ(result.status, 1) << result.out;
-  EXPECT_THAT(result.err, HasSubstr("--coupling x=6"));
+  EXPECT_THAT(result.err, HasSubstr("--coupling x=16"));
   EXPECT_THAT(result.err, ::testing::Not(HasSubstr("stronger")));
 }
 
