@@ -6,7 +6,6 @@
 
 #include "core/base/check.hpp"
 #include "core/base/text.hpp"
-#include "lacuna/core/base/admission.hpp"
 #include "lacuna/core/numerics/sampled_signal.hpp"
 #include "lacuna/identify/validation/validation_options.hpp"
 #include "lacuna/records/binding/gaps.hpp"
@@ -275,7 +274,7 @@ std::vector<Doubt> doubts_of_begin(const OdeModel& model, const Case& c, const M
   const auto judged = (c.floor.array() > 0.0).count();
   if (late.rows() * judged < ValidationOptions{}.least_freedom)
     return {{size + ", but " + std::to_string(late.rows()) + " samples behind the first quarter " +
-                 "are too few to tell that from chance and from the begin of the slave",
+                 "are too few to distinguish that from chance and from the begin of the slave",
              where_to_look(c.record)}};
   if (c.result.start_response.size() == 0) return {};
   Vector others = kMostByChance * c.result.start_response;
@@ -397,6 +396,10 @@ SyncVerdict judge(const OdeModel& model, const Dataset& record, const SyncResult
                               ", or measure one of them"}});
   if (!moves(record)) return admitted({}, {{"nothing that is measured moves"}});
   return judge_errors(model, case_of(record, result, options));
+}
+
+SyncVerdict left_open(const SyncVerdict& verdict, Doubt doubt) {
+  return admitted(verdict, {std::move(doubt)});
 }
 
 SyncVerdict beside(const Adequacy& predictions, SyncVerdict verdict) {

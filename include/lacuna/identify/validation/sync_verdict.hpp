@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "lacuna/core/base/admission.hpp"
 #include "lacuna/core/base/options.hpp"
 #include "lacuna/core/base/stage.hpp"
 #include "lacuna/dynamics/integration/synchroniser.hpp"
@@ -69,6 +70,9 @@ SyncVerdict judge(const OdeModel& model, const Dataset& record, const SyncResult
 /// up for what the model lacks; and one that does not hold where they are not has been driven
 /// off by the coupling and the noise of the record. Both leave it open whether the model holds.
 SyncVerdict beside(const Adequacy& predictions, SyncVerdict verdict);
+
+/// A verdict that something leaves in doubt: none (admit()).
+SyncVerdict left_open(const SyncVerdict& verdict, Doubt doubt);
 
 /// What to try where a slave does not follow: the option that couples twice as strongly what is
 /// coupled (m x m), "--coupling x=2,y=2, which is stronger"; strengths below 0 come out above it.
