@@ -7,6 +7,7 @@ import os
 from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
+from .errors import Error
 from .frames import has_names, is_list_of_records, is_numbered, is_path, says_time, with_columns
 from .model import Model
 from .own import Basis, Regressor
@@ -18,6 +19,7 @@ from .records import (
     records_of,
 )
 from .stages import Pipeline, Stage
+from .wording import reword
 
 Texts = str | Sequence[str] | None
 Progress = bool | Callable[[str, float], None]
@@ -39,7 +41,11 @@ def called(
     with progress_function(progress) as report:
         if report is not None:
             given["progress"] = report
-        return function(given)
+        try:
+            return function(given)
+        except Error as error:
+            reword(error, arguments)
+            raise
 
 
 def as_model(model: ModelLike) -> Model:

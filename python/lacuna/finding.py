@@ -31,6 +31,7 @@ from .own import Effect
 from .records import held_out, records_of
 from .results import Diagnosis, Fit, Identification, Rivals
 from .stages import Pipeline
+from .wording import in_python
 
 
 def identify(
@@ -143,7 +144,7 @@ def identify(
         **configuration(config, pipeline),
     }
     answer = called(_lacuna.identify, arguments, seed, threads, progress)
-    warn(*answer.warnings)
+    warn(*map(in_python, answer.warnings))
     return Identification(answer, "lacuna.identify")
 
 

@@ -21,6 +21,7 @@ from .frames import flat, in_order, row_labels, seconds_since
 from .model import Model
 from .records import records_of
 from .results import Check, Comparison, Simulation, Sync
+from .wording import in_python
 
 
 def sync(
@@ -142,7 +143,7 @@ def simulate(
     orbit = called(_lacuna.simulate, arguments, seed, None, progress)
     if orbit.problem:
         raise NoAnswerError("simulate", orbit.problem, "end earlier or start elsewhere")
-    warn(*orbit.notes)
+    warn(*map(in_python, orbit.notes))
     return Simulation(orbit, row_labels(t, inputs, len(orbit.time)))
 
 
