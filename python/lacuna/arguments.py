@@ -7,7 +7,7 @@ import os
 from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
-from .frames import has_names, is_numbered, is_path, with_columns
+from .frames import has_names, is_list_of_records, is_numbered, is_path, says_time, with_columns
 from .model import Model
 from .own import Basis, Regressor
 from .progress import progress_function
@@ -15,9 +15,7 @@ from .records import (
     Records,
     conditions,
     held_out,
-    is_list_of_records,
     records_of,
-    says_time,
 )
 from .stages import Pipeline, Stage
 
@@ -76,7 +74,7 @@ def bound(model: Any, data: Any, t: Any, u: Any, columns: Mapping[str, Any]) -> 
     named = _with_names_of(model, data, columns)
     if u is not None and "names" not in columns and not isinstance(data, Records):
         named = {"inputs": as_model(model).inputs, **named}
-    return records_of(data, t, u, None, named).arguments()
+    return records_of(data, t, u, None, named, has_model=True).arguments()
 
 
 def held_out_of(model: Any, data: Any, columns: Mapping[str, Any]) -> dict[str, Any]:

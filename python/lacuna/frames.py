@@ -43,6 +43,13 @@ def has_names(data: Any) -> bool:
     )
 
 
+def is_list_of_records(data: Any) -> bool:
+    """Whether a list has records in it, not rows."""
+    if not isinstance(data, list | tuple):
+        return False
+    return all(is_path(one) or has_names(one) or getattr(one, "ndim", 0) > 0 for one in data)
+
+
 def with_columns(data: Any) -> Any:
     """A series, or an array of xarray, as the frame or data set of its columns."""
     if hasattr(data, "to_frame") and hasattr(data, "dtype") and not is_frame(data):
@@ -96,11 +103,12 @@ def named_time(headers: list[str]) -> int | None:
     return _lacuna.time_column(headers) if headers else None
 
 
-def time_index_of(frame: Any, headers: list[str], place: str) -> tuple[str, Any] | None:
-    """Name and values of the index of a frame where it is the time, else nothing.
+def time_of(frame: Any, headers: list[str], place: str) -> tuple[str, Any] | None:
+    """Name and values of the time of a frame where no name of a column says it, else nothing.
 
-    It is where it has dates, or numbers and a name of the time. Where no column has such a name,
-    numbers with any name are the time too, and those with decimals.
+    It is the index where that has dates, or numbers and a name of the time. Where no column has
+    such a name, numbers with any name are the time too, and those with decimals; else the
+    coordinate of an xarray data set, or the column of dates where there is one.
 
     Raises
     ------
@@ -115,15 +123,35 @@ def time_index_of(frame: Any, headers: list[str], place: str) -> tuple[str, Any]
     is_called = isinstance(name, str) and name != ""
     if kind in ("f", "i", "u") and is_called and named_time([name]) is not None:
         return name, index
-    if kind == "" or named_time(headers) is not None:
+    if named_time(headers) is not None:
         return None
-    if kind not in ("f", "i", "u"):
+    if kind == "f" or (kind in ("i", "u") and is_called):
+        return (name if is_called else "t"), index
+    if times := _times_among(frame, headers):
+        return times
+    if kind not in ("", "f", "i", "u"):
         raise ArgumentError(
             place, "the index has no times", "make it dates or numbers, or name the time column: t="
         )
-    if kind == "f" or is_called:
-        return (name if is_called else "t"), index
     return None
+
+
+def says_time(record: Any) -> bool:
+    """Whether a frame has a time, by its index or by the name of a column."""
+    record = with_columns(record)
+    if not has_names(record):
+        return False
+    headers = [name for name, _ in columns_of(record, "frame")]
+    return time_of(record, headers, "frame") is not None or named_time(headers) is not None
+
+
+def are_dates(values: Any) -> bool:
+    """Whether values are dates or durations."""
+    import numpy as np
+
+    dtype = getattr(values, "dtype", None)
+    kind = getattr(dtype, "kind", None) or np.asarray(values).dtype.kind
+    return kind in ("m", "M")
 
 
 def header(name: Any, unit: Any) -> str:
@@ -229,17 +257,19 @@ def in_order(values: Any, names: tuple[str, ...] | list[str]) -> Any:
     import numpy as np
 
     is_series = hasattr(values, "to_frame") and hasattr(values, "to_dict")
-    if is_series and all(name in values.index for name in names):
-        return np.array([values[name] for name in names], float)
-    if is_series or not has_names(values):
+    if not is_series and not has_names(values):
         return values
-    known = labels_of(values)
-    if len(known) == len(names) and not any(name in known for name in names):
+    labels = list(values.index) if is_series else labels_of(values)
+    known = {bare(str(label)): label for label in labels} | {label: label for label in labels}
+    if is_series:
+        is_named = all(name in known for name in names)
+        return np.array([values[known[name]] for name in names], float) if is_named else values
+    if len(labels) == len(names) and not any(name in known for name in names):
         return np.asarray(values)  # names of another kind, or none: in their order
     lacking = [name for name in names if name not in known]
     if lacking:
         raise ArgumentError("names", f"there is no '{lacking[0]}'", f"give {', '.join(names)}")
-    given = [values[name] for name in names]
+    given = [values[known[name]] for name in names]
     return np.array(given, float) if np.ndim(given[0]) == 0 else np.column_stack(given)
 
 
@@ -271,6 +301,16 @@ def framed(values: Any, like: Any, columns: list[Any]) -> Any:
     import pandas
 
     return pandas.DataFrame(values, index=like.index, columns=columns)
+
+
+def _times_among(frame: Any, headers: list[str]) -> tuple[str, Any] | None:
+    """The only coordinate of a data set, or the only column of dates, by its header."""
+    labels = labels_of(frame)
+    if _is_xarray(frame):
+        found = [label for label in frame.coords if label in frame.dims]
+    else:
+        found = [label for label in labels if are_dates(frame[label])]
+    return (headers[labels.index(found[0])], frame[found[0]]) if len(found) == 1 else None
 
 
 def _is_xarray(data: Any) -> bool:

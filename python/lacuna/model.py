@@ -8,11 +8,32 @@ from collections.abc import Callable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 from . import _lacuna
+from .errors import ArgumentError
 from .frames import framed, in_order
 
 if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import ArrayLike, NDArray
+
+
+def check_inputs(model: Model, given: Any, place: str) -> None:
+    """Refuse to evaluate a model without its inputs, or with names in the place of samples.
+
+    Raises
+    ------
+    ArgumentError
+        Names the inputs.
+    """
+    names = ", ".join(model.inputs)
+    if names and given is None:
+        raise ArgumentError(
+            place, f"the model has the input{'s' * (len(model.inputs) > 1)} {names}",
+            f"give {place}=",
+        )  # fmt: skip
+    if isinstance(given, str):
+        raise ArgumentError(
+            place, f"'{given}' names a column, but there is no frame", "give its samples"
+        )
 
 
 class Model:
@@ -147,7 +168,7 @@ class Model:
             Times.
         x : array of shape (m,) or (n, m), or a frame
             States, one row for each time; of a frame the columns with their names.
-        u : array of shape (p,) or (n, p), or a frame, optional
+        u : array of shape (p,) or (n, p), or of one input (n,), or a frame, optional
             Inputs.
 
         Returns
@@ -250,9 +271,12 @@ class Model:
 
         states = np.atleast_2d(np.asarray(in_order(x, self.states), dtype=np.float64))
         times = np.atleast_1d(np.asarray(t, dtype=np.float64))
+        check_inputs(self, u, "u")
         if u is None:
             return times, states, np.zeros((len(states), 0))
         inputs = np.asarray(in_order(u, self.inputs), dtype=np.float64)
+        if len(self.inputs) == 1 and inputs.shape == (len(states),):
+            inputs = inputs.reshape(-1, 1)
         if inputs.ndim < 2:
             inputs = np.broadcast_to(np.atleast_1d(inputs), (len(states), inputs.size))
         return times, states, inputs

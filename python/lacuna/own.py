@@ -5,9 +5,11 @@ from __future__ import annotations
 import json
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
+from functools import partial
 from typing import TYPE_CHECKING, Any
 
 from . import _lacuna
+from .errors import ArgumentError
 
 if TYPE_CHECKING:
     import numpy as np
@@ -63,6 +65,19 @@ def _composed(kind: str, first: Any, second: Any) -> Any:
     return Basis(_Composition(kind, first, second), kind)
 
 
+_TEXTS = "give a function that lists formulas as texts: lambda states, inputs: ['x', 'sin(x)']"
+
+
+def _formulas(name: str, terms: Any, states: list[str], inputs: list[str]) -> list[str]:
+    """What a function gives for these variables, where that is texts."""
+    given = terms(states, inputs)
+    made = [given] if isinstance(given, str) or not isinstance(given, Iterable) else list(given)
+    wrong = [one for one in made if not isinstance(one, str)]
+    if wrong or made == [given]:
+        raise ArgumentError(name, f"{(wrong or made)[0]!r} is no list of formulas", _TEXTS)
+    return made
+
+
 class Basis(Composable, _Own):
     """Candidate terms made by a function.
 
@@ -76,6 +91,8 @@ class Basis(Composable, _Own):
 
     Raises
     ------
+    ArgumentError
+        Something else than a function; from the call that uses it: terms that are no texts.
     ModelError
         From the call that uses it: a formula that cannot be read.
     ConfigError
@@ -86,7 +103,9 @@ class Basis(Composable, _Own):
         self, terms: Callable[[list[str], list[str]], Iterable[str]], name: str = "python-basis"
     ) -> None:
         super().__init__(terms, name)
-        self.written = _lacuna.WrittenBasis(name, terms)
+        if not callable(terms):
+            raise ArgumentError(name, f"{terms!r} is no function", _TEXTS)
+        self.written = _lacuna.WrittenBasis(name, partial(_formulas, name, terms))
 
     def library(self, states: Sequence[str], inputs: Sequence[str] = ()) -> list[str]:
         """Names of the terms for these variables, as the library has them."""

@@ -8,18 +8,20 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from . import _lacuna
-from .errors import ArgumentError
+from .errors import ArgumentError, DataError
 from .frames import (
+    are_dates,
     bare,
     check_index,
     columns_of,
     columns_of_array,
     has_names,
+    is_list_of_records,
     is_numbered,
     is_path,
     labels_of,
     named_time,
-    time_index_of,
+    time_of,
     twice,
     with_columns,
 )
@@ -61,7 +63,7 @@ class Records:
         Times, or the sampling step; in a list for each record. The name of the time column where
         columns have names. Unless given, an index of dates (in seconds from the first one) or of
         numbers with a name or with decimals is the time, else the column ``t`` or ``time``, else
-        the first one.
+        the only column of dates; of files, and of frames whose states are named, the first one.
     u : array of shape (n, p), frame, series, or names of columns, optional
         Inputs beside the states, or a list. Frames and series keep their names.
     x_dot : array of shape (n, m), frame, series, or names of columns, optional
@@ -109,20 +111,25 @@ class Records:
         embed: Mapping[str, int] | None = None,
         source: str | None = None,
     ) -> None:
+        records = [with_columns(one) for one in (data if is_list_of_records(data) else [data])]
+        named = [record for record in records if has_names(record)]
+        self._written = {str(label) for record in named for label in labels_of(record)}
         self._roles: dict[str, Any] = {
             "time_unit": time_unit,
-            "trajectory": trajectory,
-            "states": _listed(states),
-            "inputs": _listed(inputs),
-            "derivatives": _listed(derivatives),
-            "names": [f"{new}={old}" for new, old in (names or {}).items()],
-            "holds": [f"{name}={value}" for name, value in (hold or {}).items()],
-            "embed": [f"{name}={order}" for name, order in (embed or {}).items()],
+            "trajectory": self._bare(trajectory),
+            "states": self._listed(states),
+            "inputs": self._listed(inputs),
+            "derivatives": self._listed(derivatives),
+            "names": [f"{new}={self._bare(old)}" for new, old in (names or {}).items()],
+            "holds": [f"{self._bare(name)}={value}" for name, value in (hold or {}).items()],
+            "embed": [f"{self._bare(name)}={order}" for name, order in (embed or {}).items()],
         }
+        t = self._bare(t)
+        units = {self._bare(name): unit for name, unit in (units or {}).items()}
         self._paths: list[str] = []
         self._tables: list[_lacuna.Table] = []
         self._labels: list[dict[str, Any]] = []
-        records = [with_columns(one) for one in (data if is_list_of_records(data) else [data])]
+        self._dates: list[set[str]] = []
         if not records:
             raise ArgumentError("data", "there is no record", "give at least one")
         u, x_dot = self._take_names("inputs", u), self._take_names("derivatives", x_dot)
@@ -138,7 +145,7 @@ class Records:
         elif any(is_path(record) for record in records):
             raise ArgumentError("data", "files and arrays are mixed", "give files or arrays")
         else:
-            self._take(records, t, u, x_dot, units or {}, source)
+            self._take(records, t, u, x_dot, units, source)
 
     def arguments(self, paths: str = "paths", tables: str = "tables") -> dict[str, Any]:
         """The records and the roles of their columns, as the extension takes them."""
@@ -167,6 +174,32 @@ class Records:
         pairs = zip(names, known, strict=True)
         self._roles["names"] += [f"{new}={old}" for new, old in pairs if new != old]
 
+    def check_free(self) -> None:
+        """Refuse records of which a time would be taken for a state, or a state for the time.
+
+        Raises
+        ------
+        ArgumentError
+            A frame without a time, whose states no argument names.
+        DataError
+            A column of dates among the states.
+        """
+        is_said = self._named("states") or "step" in self._roles or "time" in self._roles
+        for number, table in enumerate(self._tables):
+            if not is_said and named_time_of(table) is None:
+                raise ArgumentError(
+                    "t",
+                    f"{table.source} has no time: no index with times, no column called t or time",
+                    "give t= (times, the step or the name of a column), or the time as its index",
+                )
+            for name in self._dates[number].intersection(self._states(number)):
+                label = self._labels[number][name]
+                raise DataError(
+                    f"{table.source}: {label}",
+                    "it has dates, and is not the time",
+                    f"t='{label}' makes it the time; else leave the column out",
+                )
+
     def samples(self) -> list[Samples]:
         """Arrays and frames as arrays, with a column for each name of a role."""
         import numpy as np
@@ -185,6 +218,14 @@ class Records:
             found.append(Samples(times, states, inputs, derivatives))
         return found
 
+    def _bare(self, name: Any) -> Any:
+        """The name of a column that is called as a frame has it, with its unit."""
+        return bare(name) if isinstance(name, str) and name in self._written else name
+
+    def _listed(self, names: Names) -> str:
+        given = names.split(",") if isinstance(names, str) else names or ()
+        return ",".join(self._bare(name) for name in given)
+
     def _take_names(self, role: str, given: Any) -> Any:
         """Names in the place of columns say which columns have the role."""
         names = [given] if isinstance(given, str) else given
@@ -192,7 +233,7 @@ class Records:
             return given
         if not all(isinstance(name, str) for name in names):
             return given
-        self._roles[role] = ",".join(names)
+        self._roles[role] = self._listed(names)
         return None
 
     def _take_time_or_step(self, t: Any) -> None:
@@ -255,7 +296,7 @@ class Records:
             return (t, index) if is_meant else None
         if t is not None or not has_names(record):
             return None
-        return time_index_of(record, [part.header for part in parts], place)
+        return time_of(record, [part.header for part in parts], place)
 
     def _beside(
         self,
@@ -313,6 +354,8 @@ class Records:
         self._tables.append(table)
         pairs = zip(names, parts, strict=True)
         self._labels.append({name: part.label for name, part in pairs})
+        pairs = zip(names, parts, strict=True)
+        self._dates.append({name for name, part in pairs if are_dates(part.values)})
 
     def _named(self, role: str) -> list[str]:
         """The names that a role has."""
@@ -339,15 +382,26 @@ class Records:
         return [name for k, name in enumerate(table.names) if name not in others and k != unused]
 
 
-def records_of(data: Any, t: Any, u: Any, x_dot: Any, columns: Mapping[str, Any]) -> Records:
-    """The records themselves, or made of the arguments of a function."""
+def records_of(
+    data: Any,
+    t: Any,
+    u: Any,
+    x_dot: Any,
+    columns: Mapping[str, Any],
+    has_model: bool = False,
+) -> Records:
+    """The records themselves, or made of the arguments of a function; a model names states."""
     if not isinstance(data, Records):
-        return Records(data, t, u, x_dot, **columns)
-    if t is not None or u is not None or x_dot is not None or columns:
+        records = Records(data, t, u, x_dot, **columns)
+    elif t is not None or u is not None or x_dot is not None or columns:
         raise ArgumentError(
             "records", "they have times, inputs and roles already", "give them to Records()"
         )
-    return data
+    else:
+        records = data
+    if not has_model:
+        records.check_free()
+    return records
 
 
 def held_out(data: Any, columns: Mapping[str, Any]) -> dict[str, Any]:
@@ -366,28 +420,8 @@ def conditions(data: Any, columns: Mapping[str, Any]) -> dict[str, Any]:
     return records.sources("condition_paths", "condition_tables")
 
 
-def _listed(names: Names) -> str:
-    return names if isinstance(names, str) else ",".join(names or ())
-
-
 def _called(source: str, number: int, count: int) -> str:
     return source if count == 1 else f"{source} {number + 1}"
-
-
-def is_list_of_records(data: Any) -> bool:
-    """Whether a list has records in it, not rows."""
-    if not isinstance(data, list | tuple):
-        return False
-    return all(is_path(one) or has_names(one) or getattr(one, "ndim", 0) > 0 for one in data)
-
-
-def says_time(record: Any) -> bool:
-    """Whether a frame has a time, by its index or by the name of a column."""
-    record = with_columns(record)
-    if not has_names(record):
-        return False
-    headers = [name for name, _ in columns_of(record, "frame")]
-    return time_index_of(record, headers, "frame") is not None or named_time(headers) is not None
 
 
 def _unlike(place: str, names: int, columns: int, role: str) -> ArgumentError:

@@ -19,10 +19,21 @@ from sklearn.utils.validation import check_is_fitted, validate_data
 
 from . import _lacuna
 from .finding import identify
-from .frames import framed, in_order, is_frame, is_pandas, labels_of, row_labels, seconds_since
-from .model import Model
+from .frames import (
+    bare,
+    framed,
+    in_order,
+    is_frame,
+    is_numbered,
+    is_pandas,
+    labels_of,
+    row_labels,
+    says_time,
+    seconds_since,
+)
+from .model import Model, check_inputs
 from .proving import simulate
-from .records import Records, Samples, says_time
+from .records import Records, Samples
 from .results import Simulation
 from .stages import Pipeline, Stage
 
@@ -50,9 +61,10 @@ class ODERegressor(RegressorMixin, BaseEstimator):  # type: ignore[misc]
         unless given.
     discrete_time : bool
         Find a map x[n+1] = f(x[n]).
-    t_default : float
-        Sampling step where `fit` gets no times: neither ``t=``, nor a frame with a time as its
-        index or with a column ``t`` or ``time``.
+    t_default : float, optional
+        Sampling step where there are no times: neither ``t=``, nor a frame with a time as its
+        index or with a column ``t`` or ``time``. Unless given it is 1 for arrays and maps, and
+        a frame of a flow is refused.
     seed : int
         Start of everything random.
     threads : int, optional
@@ -70,6 +82,8 @@ class ODERegressor(RegressorMixin, BaseEstimator):  # type: ignore[misc]
         Columns of frames that are inputs, where ``u=`` names them.
     time_name_in_ : str or None
         Column of frames that is the time, where ``t=`` names it.
+    has_times_ : bool
+        Whether `fit` had times, or a step, as ``t=`` or in a frame.
 
     Notes
     -----
@@ -87,7 +101,7 @@ class ODERegressor(RegressorMixin, BaseEstimator):  # type: ignore[misc]
         options: dict[str, Any] | None = None,
         feature_names: Sequence[str] | None = None,
         discrete_time: bool = False,
-        t_default: float = 1.0,
+        t_default: float | None = None,
         seed: int = 1,
         threads: int | None = None,
     ) -> None:
@@ -126,11 +140,10 @@ class ODERegressor(RegressorMixin, BaseEstimator):  # type: ignore[misc]
         DataError, ConfigError, ArgumentError
             As of `lacuna.identify`; each is a `ValueError`.
         """
-        if t is None and _increases(y):
-            warn("y increases as times do and is not used; times are given as t=")
+        self.has_times_ = _says_time(X, t)
         self.input_names_in_ = _names_in(u)
         self.time_name_in_ = t if isinstance(t, str) else None
-        records, _ = self._read(X, t, u, x_dot, is_first=True)
+        records, _ = self._read(X, self._timed(X, t, y), u, x_dot, is_first=True)
         self.result_ = identify(
             records,
             preset=self.preset,
@@ -156,7 +169,7 @@ class ODERegressor(RegressorMixin, BaseEstimator):  # type: ignore[misc]
         check_is_fitted(self)
         if _several(X):
             return [self.predict(*record) for record in _records(X, u, t)]
-        records, (states,) = self._read(X, None, u)
+        records, (states,) = self._read(X, self._timed(X, caller="predict", is_used=False), u)
         rates = self.model_(t, states, records.samples()[0].inputs)
         return framed(rates, X, records.state_labels(0))
 
@@ -196,6 +209,8 @@ class ODERegressor(RegressorMixin, BaseEstimator):  # type: ignore[misc]
         if np.ndim(t) == 0 and not self.discrete_time:
             raise ArgumentError("t", "a flow has no number of steps", "give the times")
         times = np.arange(int(t)) if np.ndim(t) == 0 else t
+        names = _names_in(u)
+        check_inputs(self.model_, ", ".join(names) if names else u, "u")
         inputs = in_order(u, self.model_.inputs)
         if callable(u):
             inputs = np.array([np.atleast_1d(u(time)) for time in np.asarray(times)])
@@ -219,6 +234,7 @@ class ODERegressor(RegressorMixin, BaseEstimator):  # type: ignore[misc]
         """
         if self.discrete_time:
             raise RuntimeError("the samples of a map have no rates")
+        t = self._timed(X, t, caller="differentiate")
         if _several(X):
             return [self.differentiate(*record) for record in _records(X, t)]
         records, (states,) = self._read(X, t)
@@ -237,6 +253,7 @@ class ODERegressor(RegressorMixin, BaseEstimator):  # type: ignore[misc]
     ) -> float:
         """Hold predicted rates against those of the samples (of a map: the next samples)."""
         check_is_fitted(self)
+        t = self._timed(X, t, y, caller="score", is_used=x_dot is None)
         parts = _records(X, t, u, x_dot) if _several(X) else [(X, t, u, x_dot)]
         pairs = [self._rates(*part) for part in parts]
         return float(metric(*map(np.concatenate, zip(*pairs, strict=True))))
@@ -274,25 +291,25 @@ class ODERegressor(RegressorMixin, BaseEstimator):  # type: ignore[misc]
             for part, first in zip(parts, firsts, strict=True)
         ]
         if not is_first:
-            t, u = self._named_in(parts, t, u)
-        is_said = t is not None or all(is_frame(part) and says_time(part) for part in parts)
+            u = self._inputs_of(parts, u)
         names = [str(name) for name in self.feature_names or ()]
         count = 0 if is_frame(states[0]) else states[0].shape[1]
         behind = names[count:] if count else []
         records = Records(
             states if _several(X) else states[0],
-            t if is_said else self.t_default,
+            t,
             u,
             x_dot,
             states=names[:count] or None,
             inputs=None if u is None else (behind if is_first else self.model_.inputs) or None,
         )
+        records.check_free()
         for number, part in enumerate(states):
             if not is_frame(part):
                 continue
             labels = records.state_labels(number)
             states[number] = self._checked(part[labels], firsts[number])
-            if firsts[number] and not is_said and _increases(states[number][:, 0]):
+            if firsts[number] and not self.has_times_ and _increases(states[number][:, 0]):
                 warn(
                     f"column '{labels[0]}' increases as times do and is taken as a state; "
                     f"t='{labels[0]}' makes it the time"
@@ -301,15 +318,43 @@ class ODERegressor(RegressorMixin, BaseEstimator):  # type: ignore[misc]
                 records.call_states(names[: len(labels)])
         return records, states
 
-    def _named_in(self, parts: list[Any], t: Any, u: Any) -> tuple[Any, Any]:
-        """Times and inputs, or the columns of frames that were these in `fit`."""
-        time, inputs = getattr(self, "time_name_in_", None), getattr(self, "input_names_in_", [])
-        known = [set(labels_of(part)) if is_frame(part) else set() for part in parts]
-        if t is None and all(time in labels for labels in known):
+    def _timed(
+        self, X: Any, t: Any = None, y: Any = None, caller: str = "fit", is_used: bool = True
+    ) -> Any:
+        """What says the times: ``t``, nothing where frames do, else the step of the estimator."""
+        parts = X if _several(X) else [X]
+        time = getattr(self, "time_name_in_", None)
+        if t is None and caller != "fit" and all(time in _names_of(part) for part in parts):
             t = time
-        if u is None and inputs and all(labels >= set(inputs) for labels in known):
-            u = inputs
-        return t, u
+        is_said = _says_time(X, t)
+        is_known = is_said or self.discrete_time or self.t_default is not None or not is_used
+        if t is None and _increases(y):
+            if not is_known:
+                raise ArgumentError(
+                    "y", "it increases as times do, and is not used", f"write {caller}(X, t=t)"
+                )
+            warn("y increases as times do and is not used; times are given as t=")
+        has_names = any(is_frame(part) and not is_numbered(part) for part in parts)
+        if is_said or (has_names and not is_known):
+            return t  # records without any time are refused
+        if not is_known and caller != "fit" and getattr(self, "has_times_", False):
+            warn(f"{caller} has no times, as fit had, and takes the step 1; give t= or t_default=")
+        return 1.0 if self.t_default is None else self.t_default
+
+    def _inputs_of(self, parts: list[Any], u: Any) -> Any:
+        """Inputs, or the columns of frames that were these in `fit`, in the order of the model."""
+        inputs = getattr(self, "input_names_in_", [])
+        if u is None and inputs and all(_names_of(part) >= set(inputs) for part in parts):
+            return inputs
+        known = list(self.model_.inputs) if hasattr(self, "model_") else []
+        given = {bare(name): name for name in _names_in(u)}
+        if not given or not set(known) & set(given):
+            return u
+        if set(known) != set(given):
+            raise ArgumentError(
+                "u", f"the inputs of the model are {', '.join(known)}", "name a column for each"
+            )
+        return [given[name] for name in known]
 
     @property
     def complexity(self) -> int:
@@ -362,6 +407,18 @@ class ODERegressor(RegressorMixin, BaseEstimator):  # type: ignore[misc]
 def _several(X: Any) -> bool:
     """Whether a list holds records, not rows."""
     return isinstance(X, list) and all(hasattr(one, "__array__") for one in X)
+
+
+def _says_time(X: Any, t: Any) -> bool:
+    """Whether times are given, or all records are frames that have them."""
+    parts = X if _several(X) else [X]
+    return t is not None or all(is_frame(part) and says_time(part) for part in parts)
+
+
+def _names_of(part: Any) -> set[str]:
+    """The names of the columns of a frame, with their units and without."""
+    labels = [str(label) for label in labels_of(part)] if is_frame(part) else []
+    return {*labels, *map(bare, labels)}
 
 
 def _names_in(u: Any) -> list[str]:

@@ -42,7 +42,10 @@ def test_a_basis_makes_distinct_terms_that_can_be_read_back() -> None:
     [
         (lambda states, inputs: [], lacuna.ConfigError),
         (lambda states, inputs: ["sin(q)"], lacuna.ModelError),
-        (lambda states, inputs: [1], Exception),
+        (lambda states, inputs: [1], lacuna.ArgumentError),
+        (lambda states, inputs: [np.sin], lacuna.ArgumentError),
+        (lambda states, inputs: "sin(x)", lacuna.ArgumentError),
+        (lambda states, inputs: None, lacuna.ArgumentError),
         (lambda states: ["x"], TypeError),
     ],
 )
@@ -51,6 +54,15 @@ def test_a_basis_that_gives_no_terms_is_refused(
 ) -> None:
     with pytest.raises(error):
         lacuna.Basis(function).library(["x"])
+
+
+def test_formulas_are_texts(samples: Samples) -> None:
+    t, x = samples
+    own = lacuna.Pipeline(basis=lacuna.Basis(lambda states, inputs: [np.sin]))  # type: ignore[list-item]
+    with pytest.raises(lacuna.ArgumentError, match=r"ufunc 'sin'.* as texts: .*'sin\(x\)'"):
+        lacuna.identify(x, t, pipeline=own)
+    with pytest.raises(lacuna.ArgumentError, match=r"is no function; .* as texts"):
+        lacuna.Basis([np.sin])  # type: ignore[arg-type]
 
 
 # The contract of tests/contract/regressor_test.cpp.

@@ -133,12 +133,77 @@ def test_a_frame_without_a_time_has_the_step_of_the_estimator(tank: pd.DataFrame
     assert fit.model_.terms == TERMS
     counted = bare.assign(stand=np.arange(len(bare)) * 0.02)[["stand", "level"]]
     with pytest.warns(lacuna.LacunaWarning, match="t='stand' makes it the time"):
-        ODERegressor(preset="sindy", degree=1).fit(counted)
+        ODERegressor(preset="sindy", degree=1, t_default=0.02).fit(counted)
     named = counted.assign(inflow=bare["inflow"])
     fit = ODERegressor(preset="sindy", degree=1).fit(named, t="stand", u="inflow")
     assert fit.model_.terms == TERMS
     assert fit.score(named) > 0.999
     assert list(fit.predict(named).columns) == ["level"]
+
+
+def test_a_frame_without_a_time_gives_up_no_state() -> None:
+    t = np.arange(0, 4, 0.02)
+    frame = pd.DataFrame({"growth": np.exp(0.3 * t), "other": 2 * np.exp(-0.4 * t)})
+    options: dict[str, Any] = {"preset": "sindy", "degree": 1}
+    fit = ODERegressor(**options)
+    for of in (lacuna.identify, lacuna.check, fit.fit, fit.differentiate):
+        with pytest.raises(lacuna.ArgumentError, match=r"frame has no time: .* give t="):
+            of(frame)
+    for given in (t, 0.02):
+        assert lacuna.identify(frame, given, **options).model.states == ("growth", "other")
+        fit.fit(frame, t=given)
+        assert fit.model_.terms["growth"] == pytest.approx({"growth": 0.3}, rel=1e-3)
+    assert fit.predict(frame).shape == frame.shape  # rates of a model need no times
+    with pytest.raises(lacuna.ArgumentError, match="frame has no time"):
+        fit.score(frame)
+    assert ODERegressor(t_default=0.02, **options).fit(frame).score(frame) > 0.999
+    steps = pd.DataFrame({"n": 1.5 * 0.9 ** np.arange(50)})
+    assert ODERegressor(degree=1, discrete_time=True).fit(steps).model_.states == ("n",)
+
+
+def test_a_column_of_dates_is_the_time_or_refused_by_its_name(tank: pd.DataFrame) -> None:
+    dates = pd.Timestamp("2026-05-01") + pd.to_timedelta(tank.index, unit="s")
+    dated = tank.assign(when=dates).reset_index(drop=True)
+    options: dict[str, Any] = {"preset": "sindy", "degree": 1}
+    for t in (None, "when"):
+        fit = ODERegressor(**options).fit(dated, t=t, u="inflow")
+        assert fit.model_.terms == TERMS
+        assert fit.score(dated) > 0.999
+        assert lacuna.identify(dated, t, u="inflow", **options).model.terms == TERMS
+    timed = dated.assign(t=tank.index)
+    for of in (lacuna.identify, ODERegressor().fit):
+        with pytest.raises(lacuna.DataError, match=r"when: it has dates.* t='when' makes it"):
+            of(timed, u="inflow")
+
+
+def test_inputs_are_those_of_their_names() -> None:
+    t = np.arange(0, 8, 0.02)
+    index = pd.Index(t, name="t")
+    both = pd.DataFrame({"force": np.sin(1.3 * t), "wind": np.cos(0.7 * t)}, index=index)
+    model = lacuna.Model.from_text("input force\ninput wind\ndy/dt = -y + 2*force - 3*wind")
+    frame = both.assign(y=lacuna.simulate(model, [1.0], inputs=both)["y"])
+    fit = ODERegressor(preset="sindy", degree=1).fit(frame, u=["force", "wind"])
+    swapped = fit.predict(frame, u=["wind", "force"])
+    pd.testing.assert_frame_equal(swapped, fit.predict(frame))
+    assert fit.score(frame, u=["wind", "force"]) > 0.999
+    with pytest.raises(lacuna.ArgumentError, match="inputs of the model are force, wind"):
+        fit.predict(frame.assign(gust=0.0), u=["wind", "gust"])
+
+
+def test_columns_may_be_named_with_their_units(tank: pd.DataFrame) -> None:
+    frame = tank.rename(columns={"level": "level [m]", "inflow": "inflow [m/s]"})
+    options: dict[str, Any] = {"preset": "sindy", "degree": 1}
+    for name in ("inflow", "inflow [m/s]"):
+        fit = ODERegressor(**options).fit(frame, u=name)
+        assert fit.model_.terms == TERMS
+        assert fit.score(frame) > 0.999
+        assert fit.model_(0.0, frame, frame).shape == (len(frame), 1)
+        found = lacuna.identify(frame, states="level [m]", inputs=name, **options)
+        assert found.model.terms == TERMS
+    clocked = frame.rename_axis("clock").reset_index().rename(columns={"clock": "clock [s]"})
+    fit = ODERegressor(**options).fit(clocked, t="clock [s]", u="inflow [m/s]")
+    assert fit.model_.terms == TERMS
+    assert fit.score(clocked) > 0.999
 
 
 def test_numbers_in_the_place_of_names_are_those_of_an_array(tank: pd.DataFrame) -> None:

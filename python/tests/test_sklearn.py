@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import pickle
+import warnings
 from collections.abc import Callable
 
 import numpy as np
 import pytest
+from sklearn import config_context
 from sklearn.base import clone
 from sklearn.model_selection import GridSearchCV, TimeSeriesSplit
 from sklearn.pipeline import make_pipeline
@@ -73,6 +75,66 @@ def test_times_in_the_place_of_the_target_are_noticed(fast: ODERegressor, sample
     t, x = samples
     with pytest.warns(lacuna.LacunaWarning, match="given as t="):
         fast.fit(x, t)
+
+
+def test_times_in_the_place_of_the_target_are_refused_where_no_step_is_known(
+    samples: Samples,
+) -> None:
+    t, x = samples
+    fit = ODERegressor(preset="sindy", degree=1)
+    with pytest.raises(lacuna.ArgumentError, match=r"write fit\(X, t=t\)"):
+        fit.fit(x, t)
+    with pytest.raises(lacuna.ArgumentError, match=r"write score\(X, t=t\)"):
+        fit.fit(x, t=t).score(x, t)
+
+
+@pytest.mark.filterwarnings("always::lacuna.LacunaWarning")
+def test_times_that_are_forgotten_after_a_fit_with_times_are_noticed(samples: Samples) -> None:
+    t, x = samples
+    fit = ODERegressor(preset="sindy", degree=1, threads=1).fit([x, x], t=[t, t])
+    for method in (fit.score, fit.differentiate):
+        with warnings.catch_warnings(record=True) as seen:
+            warnings.simplefilter("always")
+            method([x, x])
+        assert [one.filename for one in seen] == [__file__]
+        assert "no times, as fit had, and takes the step 1" in str(seen[0].message)
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        fit.predict(x)
+        fit.score(x, t=t)
+        fit.score(x, x_dot=x)
+        fit.differentiate(x, t)
+        fit.set_params(t_default=20 / 399).score(x)
+
+
+def test_times_go_through_a_search(samples: Samples) -> None:
+    t, x = samples
+    with config_context(enable_metadata_routing=True):
+        fit = ODERegressor(preset="sindy", threads=1)
+        fit.set_fit_request(t=True).set_score_request(t=True)
+        search = GridSearchCV(fit, {"degree": [1, 2]}, cv=TimeSeriesSplit(3)).fit(x, t=t)
+    assert search.best_score_ > 0.99
+
+
+def test_an_input_that_is_forgotten_is_named(fast: ODERegressor) -> None:
+    t = np.arange(0, 10, 0.02)
+    u = np.sin(1.7 * t)
+    truth = lacuna.Model.from_text("input force\ndx/dt = -2*x + 3*force")
+    x = lacuna.simulate(truth, [1.0], t, inputs=u).x
+    fit = fast.set_params(feature_names=["x", "force"]).fit(x, t=t, u=u)
+    calls: list[Callable[[], object]] = [
+        lambda: fit.predict(x),
+        lambda: fit.score(x, t=t),
+        lambda: fit.simulate(x[0], t),
+        lambda: fit.model_(t, x),
+        lambda: fit.model_.jacobian(t, x),
+    ]
+    for call in calls:
+        with pytest.raises(lacuna.ArgumentError, match="the model has the input force; give u="):
+            call()
+    with pytest.raises(lacuna.ArgumentError, match="'force' names a column, but there is no frame"):
+        fit.simulate(x[0], t, u="force")
+    np.testing.assert_array_equal(fit.model_(t, x, u), fit.model_(t, x, u[:, None]))
 
 
 def test_printed_equations_are_short(

@@ -89,7 +89,7 @@ TEST(BadInput, ConfigurationThatIsNotJson) {
   const std::string config = folder.write("c.json", "{\"regressor\": }");
   expect_program_error(
       "identify " + folder.write("r.csv", good_rows(60)) + " --config " + config, 2,
-      {"c.json:1:15", "not JSON", "; "});
+      {"c.json:1:15", "not valid JSON", "; "});
 }
 
 TEST(BadInput, UnknownTermInAModel) {

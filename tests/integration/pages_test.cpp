@@ -197,8 +197,24 @@ TEST(Pages, WhatIsShownMayLeaveOutParts) {
   EXPECT_FALSE(shows("one two", "one three"));
 }
 
-/// No block stays unread: shells run, models and configurations are read here, C++ is compiled by
-/// tests/CMakeLists.txt, Python run by python/tests; what is only indented nobody finds.
+/// Pages whose C++ is compiled: programs by tests/CMakeLists.txt, parts by tests/consumer.
+std::set<std::string> compiled_pages() {
+  std::set<std::string> pages;
+  const std::string root = LACUNA_SOURCE_DIR;
+  for (const auto& [file, pattern] :
+       {std::pair{"/tests/CMakeLists.txt", "lacuna_page_program\\(([^ ]+) "},
+        std::pair{"/tests/consumer/CMakeLists.txt", "([A-Za-z_/]+\\.md)=[a-z]+"}}) {
+    std::ifstream stream(root + file);
+    const std::string text{std::istreambuf_iterator<char>(stream), {}};
+    const std::regex call(pattern);
+    for (std::sregex_iterator at(text.begin(), text.end(), call), end; at != end; ++at)
+      if ((*at)[1].str().front() != '$') pages.insert((*at)[1]);
+  }
+  return pages;
+}
+
+/// No block stays unread: shells run, models and configurations are read here, C++ is compiled
+/// (compiled_pages()), Python run by python/tests; what is only indented nobody finds.
 TEST(Pages, BlocksAreOfKindsThatTestsKnow) {
   const std::set<std::string> kinds = {"sh", "text", "ode", "json", "cpp", "python"};
   std::set<std::string> with_cpp, with_json;
@@ -215,12 +231,7 @@ TEST(Pages, BlocksAreOfKindsThatTestsKnow) {
           << page.path << ": put it between lines of ```: " << page.prose[i];
   }
   EXPECT_GE(count, 120);
-  std::ifstream file(std::string(LACUNA_SOURCE_DIR) + "/tests/CMakeLists.txt");
-  std::set<std::string> compiled;
-  const std::regex call("^ *lacuna_page_(program|parts)\\(([^ ]+) .*");
-  for (std::string line; std::getline(file, line);)
-    if (std::smatch found; std::regex_match(line, found, call)) compiled.insert(found[2]);
-  EXPECT_EQ(with_cpp, compiled);
+  EXPECT_EQ(with_cpp, compiled_pages());
   const std::set<std::string> read_below = {"docs/file-formats/configurations.md",
                                             "docs/file-formats/models.md"};
   EXPECT_EQ(with_json, read_below);

@@ -160,7 +160,8 @@ inline void add_diagnosis(const Json& json, Faults& found) {
   add_if(named && !effects, verdict + " without effects", found);
   const bool refused = verdict == "undetermined" || verdict == "incomplete";
   add_if(!named && !refused && effects, verdict + " with effects", found);
-  add_if(refused == json["why"].is_null(), verdict + " with the reason of another", found);
+  const bool has_reason = json.contains("why") && !json["why"].is_null();
+  add_if(refused != has_reason, verdict + " with the reason of another", found);
   add_if(left && (explained || verdict == "no-discrepancy" || verdict == "coefficients-only"),
          verdict + " with structure left", found);
   const Json& gap = json["gap"];

@@ -343,6 +343,8 @@ SimulateAnswer answer(const Registry& registry, const SimulateRequest& request,
   SimulateAnswer result{{}, std::move(done.notes)};
   if (done.orbit.status != IntegrationStatus::Completed) {
     result.problem = done.orbit.message;
+    if (done.orbit.status == IntegrationStatus::StepTooSmall && !integrator->has_fixed_steps())
+      result.problem += " (fixed steps, by --integrator rk4, do not stop)";
     return result;
   }
   result.data = as_dataset(model, std::move(done));

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <memory>
 
 #include "answers.hpp"
@@ -6,6 +7,9 @@
 #include "command.hpp"
 #include "core/base/text.hpp"
 #include "data_options.hpp"
+#include "lacuna/core/numerics/sampled_signal.hpp"
+#include "lacuna/data/formats/read.hpp"
+#include "lacuna/data/records/marks.hpp"
 #include "lacuna/dynamics/integration/automatic.hpp"
 #include "lacuna/records/binding/read_records.hpp"
 #include "records/channels/shown_holds.hpp"
@@ -46,7 +50,54 @@ std::string notes_of(const Dataset& data, const SyncReport& report) {
   if (report.result.stiff)
     lines +=
         "Note: the slave is faster than the samples: its steps between them were adapted\n";
+  if (report.result.by_fixed_steps)
+    lines += "Note: steps that adapt got too small, as where rates jump: fixed steps were taken "
+             "(rk4), and halved once to see what they add\n";
   return lines;
+}
+
+/// Whether any table has channels with times of their own, as joined logs do.
+bool have_own_times(const SyncRequest& request) {
+  const auto has = [](const Table& table) { return table.own_times; };
+  const RecordSources& sources = request.data;
+  if (!sources.tables.empty())
+    return std::any_of(sources.tables.begin(), sources.tables.end(), has);
+  const std::vector<std::string> paths = expand_patterns(sources.paths);
+  const ColumnRoles roles = common_roles(request.data);
+  return std::any_of(paths.begin(), paths.end(), [&](const std::string& path) {
+    return has(read_table(path, roles));
+  });
+}
+
+/// Whether an input that jumps does so where no state has a sample.
+bool jumps_between_samples(const std::vector<Quantity>& inputs, const Dataset& kept) {
+  const double missing = number_of(Mark::Missing);
+  for (const Trajectory& run : kept.trajectories) {
+    const Matrix marks = marks_of(run);
+    for (std::size_t j = 0; j < inputs.size(); ++j) {
+      if (is_smooth(interpolation_of(inputs[j].hold))) continue;
+      const auto values = run.inputs.col(static_cast<Index>(j));
+      for (Index n = 1; n < run.samples(); ++n)
+        if (values[n] != values[n - 1] && (marks.row(n).array() == missing).all()) return true;
+    }
+  }
+  return false;
+}
+
+/// A slave is driven from sample to sample of the states: an input of a log of its own, which
+/// jumps between them, is late there by up to a sample.
+SyncVerdict beside_late_inputs(SyncVerdict verdict, const OdeModel& driven,
+                               const SyncRequest& request, const Differentiator& differentiator) {
+  if (verdict.holds || !verdict.decided || driven.inputs().empty() || !have_own_times(request))
+    return verdict;
+  ColumnRoles roles = common_roles(request.data);
+  roles.blanks = Blanks::Keep;
+  const Dataset kept = records_for(driven, request.data, roles, differentiator);
+  if (!jumps_between_samples(driven.inputs(), kept)) return verdict;
+  return left_open(verdict, {"the slave is off, but an input jumps between the samples that drive "
+                            "it, and comes late by up to one",
+                            "use `lacuna fit` or `lacuna diagnose`, which take each channel at "
+                            "its own times"});
 }
 
 int sync_command(const Session& session, const SyncArguments& options) {
@@ -81,7 +132,9 @@ SyncAnswer answer(const Registry& registry, const SyncRequest& request,
   SyncReport report{synchronise(driven, data, *integrator, {.coupling = coupling}, context),
                     model.states(), data.time_unit, coupling.has_value(), request.integrator};
   if (report.result.stiff) report.integrator = AutomaticOptions::kInfo.name;
-  report.verdict = judge(driven, data, report.result);
+  if (report.result.by_fixed_steps) report.integrator = Rk4Options::kInfo.name;
+  report.verdict =
+      beside_late_inputs(judge(driven, data, report.result), driven, request, *differentiator);
   return {std::move(report), std::move(data)};
 }
 
@@ -94,6 +147,8 @@ std::string text_of(const SyncAnswer& answer) {
 std::string failure_of(const SyncAnswer& answer) {
   const SyncResult& result = answer.report.result;
   if (result.status == IntegrationStatus::Completed) return "";
+  if (result.status == IntegrationStatus::StepTooSmall)
+    return result.message + "; try fixed steps (--integrator rk4)";
   return result.message + "; try " + stronger_coupling(answer.report.states, result.coupling);
 }
 

@@ -60,12 +60,13 @@ bool repeats_samples(const Dataset& data, Index input) {
 
 /// The holds that are asked before effects are sought. Of a dense input none of whose samples
 /// repeats the one before, nothing shows that it is held: zero would be half a step of delay,
-/// which belongs to whatever delays it. Where an effect of the input is that, rival_holds() asks.
+/// which belongs to whatever delays it, and lines are the smooth curve there. Where an effect of
+/// the input is that, rival_holds() asks.
 std::vector<Hold> evident_holds(const Problem& problem, Index input) {
   std::vector<Hold> holds = possible_holds(problem, input);
   if (holds == std::vector{Hold::Zero, Hold::Smooth} &&
       !repeats_samples(problem.records.data, input))
-    holds.front() = Hold::Linear;
+    holds.erase(holds.begin());
   return holds;
 }
 

@@ -44,10 +44,11 @@ Index changed(const std::vector<CoefficientChange>& changes, double significance
 }
 
 /// The memory of the noise, where noise is all that the model is said to leave in the records that
-/// were used.
+/// were used, and more than a negligible part of the motion.
 std::optional<Bounded> memory_of(const Diagnosis& diagnosis, const DecisionOptions& decision,
                                  double duration) {
   if (!diagnosis.remaining.equations.empty() || !(duration > 0.0)) return std::nullopt;
+  if (diagnosis.gap && diagnosis.gap->noise_floor <= decision.negligible) return std::nullopt;
   return Bounded{longest_memory(diagnosis.noise, decision.minor) / duration,
                  decision.longest_memory};
 }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <utility>
 
 namespace lacuna {
@@ -103,10 +104,12 @@ class RungeKuttaStepper : public Stepper {
     if (bound_ == 0.0) bound_ = divergence_bound(x, static_cast<Index>(next_.size()));
   }
 
-  bool next_is_bounded() const {
-    return std::all_of(next_.begin(), next_.end(),
+  bool is_bounded(const double* x) const {
+    return std::all_of(x, x + next_.size(),
                        [this](double value) { return std::abs(value) <= bound_; });
   }
+
+  bool next_is_bounded() const { return is_bounded(next_.data()); }
 
   void accept(double* x) const { std::copy(next_.begin(), next_.end(), x); }
 
@@ -178,7 +181,8 @@ class AdaptiveStepper final : public RungeKuttaStepper {
         when_stiff_(std::move(when_stiff)) {}
 
   IntegrationStatus advance(RightHandSide rhs, double& t0, double t1, double* x) override {
-    if (implicit_) return implicit_->advance(rhs, t0, t1, x);
+    was_in_vain_ = false;
+    if (const auto status = implicitly(rhs, t0, t1, x)) return *status;
     start(x);
     if (step_ <= 0.0) step_ = first_step(rhs, t0, t1, x);
     least_ = 0.0;
@@ -191,7 +195,8 @@ class AdaptiveStepper final : public RungeKuttaStepper {
         if (held) count = 0;
       }
       take_step(rhs, t0, t1, x);
-      if (implicit_ && t0 < t1) return implicit_->advance(rhs, t0, t1, x);
+      if (t0 == t1) break;
+      if (const auto status = implicitly(rhs, t0, t1, x)) return *status;
     }
     return IntegrationStatus::Completed;
   }
@@ -199,6 +204,20 @@ class AdaptiveStepper final : public RungeKuttaStepper {
  private:
   /// Steps after which it is asked whether rates jump: a fact of cost, for it takes two.
   static constexpr int kStepsBeforeJumps = 1000;
+
+  /// How implicit steps ended; nothing where explicit ones have to go on. Steps along a jump of
+  /// the rates look stiff, but what builds on past steps does not get across it.
+  std::optional<IntegrationStatus> implicitly(RightHandSide rhs, double& t, double t1, double* x) {
+    if (!implicit_) return std::nullopt;
+    const IntegrationStatus status = implicit_->advance(rhs, t, t1, x);
+    if (!is_bounded(x)) return IntegrationStatus::Diverged;
+    if (status != IntegrationStatus::StepTooSmall) return status;
+    implicit_.reset();
+    stiffness_ = {};
+    was_in_vain_ = true;
+    step_ = first_step(rhs, t, t1, x);
+    return std::nullopt;
+  }
 
   /// Whether it is in vain to try shorter steps: where rates jump, half a step makes half the
   /// error; where they are smooth a sixteenth or less, by the order of the method.
@@ -238,7 +257,8 @@ class AdaptiveStepper final : public RungeKuttaStepper {
     grow(h, error, last);
     accept(x);
     t = last ? t1 : t + h;
-    if (when_stiff_ && stiffness_.shows([&] { return h * stages_.decay_rate(h); }))
+    if (along_a_jump || was_in_vain_ || !when_stiff_) return;
+    if (stiffness_.shows([&] { return h * stages_.decay_rate(h); }))
       implicit_ = when_stiff_();
   }
 
@@ -301,6 +321,7 @@ class AdaptiveStepper final : public RungeKuttaStepper {
   MakeStepper when_stiff_;
   StiffnessTest stiffness_;
   std::unique_ptr<Stepper> implicit_;
+  bool was_in_vain_ = false;  ///< implicit steps were, in this interval
 };
 
 void describe_substeps(OptionVisitor& visitor, int& substeps) {

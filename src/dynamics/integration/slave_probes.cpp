@@ -31,6 +31,26 @@ Vector response_to_noise(const SlaveTask& task, const Dataset& record,
   return late_errors(states, result.states);
 }
 
+Vector response_to_start(const SlaveTask& task, const Dataset& record,
+                         const SyncResult& result) {
+  Vector squares = Vector::Zero(record.state_count());
+  const bool is_off = result.error_over_noise && *result.error_over_noise > 1.0;
+  if (result.status != IntegrationStatus::Completed || task.start || !is_off) return squares;
+  for (Index k = 0; k < squares.size(); ++k) {
+    if (!(task.seen[k] * result.noise[k] > 0.0)) continue;
+    std::vector<Matrix> states;
+    for (const Trajectory& trajectory : record.trajectories) {
+      Vector start = start_of(task, trajectory);
+      start[k] += result.noise[k];
+      SlaveRun run = run_slave(task, trajectory, start);
+      if (run.status != IntegrationStatus::Completed) return Vector::Zero(squares.size());
+      states.push_back(std::move(run.states));
+    }
+    squares += late_errors(states, result.states).cwiseAbs2();
+  }
+  return squares.cwiseSqrt();
+}
+
 double conditional_exponent(const SlaveTask& task, const Trajectory& record,
                             const SyncResult& result) {
   constexpr double kResolved = 1e-6;  // a fact of doubles: well above their rounding

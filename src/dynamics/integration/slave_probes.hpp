@@ -13,6 +13,10 @@ namespace lacuna {
 Vector response_to_noise(const SlaveTask& task, const Dataset& record,
                          const SyncResult& result);
 
+/// See SyncResult::start_response.
+Vector response_to_start(const SlaveTask& task, const Dataset& record,
+                         const SyncResult& result);
+
 /// See SyncResult::conditional_exponent.
 double conditional_exponent(const SlaveTask& task, const Trajectory& record,
                             const SyncResult& result);

@@ -102,6 +102,7 @@ SyncResult driven(const SlaveTask& task, const Dataset& view, const Vector& nois
   result.settled = has_settled(view, result);
   result.response = response_to_noise(task, view, result);
   result.error_over_noise = error_over_noise(view, result);
+  result.start_response = response_to_start(task, view, result);
   if (result.status == IntegrationStatus::Completed && task.integrator.has_fixed_steps())
     result.step_errors = step_errors(task, view, result);
   if (task.seen.minCoeff() == 0.0)
@@ -126,6 +127,10 @@ AutomaticOptions stiff_steps(const Dataset& view) {
   return {{.relative_tolerance = kRelative,
            .absolute_tolerance = absolute,
            .max_steps = kMostSteps}};
+}
+
+bool is_automatic(const Integrator& integrator) {
+  return integrator.info().name == AutomaticOptions::kInfo.name;
 }
 
 }  // namespace
@@ -171,9 +176,18 @@ SyncResult synchronise(const OdeModel& model, const Dataset& record,
   const LagrangeWindow plain = adapts ? LagrangeWindow::driving(Rk4{}.order()) : window;
   SyncResult finer =
       driven({model, coupling, adaptive, plain, options.start, seen, context}, view, noise);
-  if (finer.status != IntegrationStatus::Completed) return result;
-  finer.stiff = true;
-  return finer;
+  if (finer.status == IntegrationStatus::Completed) {
+    finer.stiff = true;
+    return finer;
+  }
+  if (result.status != IntegrationStatus::StepTooSmall || !is_automatic(integrator))
+    return result;
+  const Rk4 fixed;
+  SyncResult coarser =
+      driven({model, coupling, fixed, plain, options.start, seen, context}, view, noise);
+  if (coarser.status != IntegrationStatus::Completed) return result;
+  coarser.by_fixed_steps = true;
+  return coarser;
 }
 
 }  // namespace lacuna

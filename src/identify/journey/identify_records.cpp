@@ -90,6 +90,12 @@ Identification find_equations(RecordStream records, const IdentificationTask& ta
   return {std::move(records), std::move(result)};
 }
 
+/// By which slaves were integrated in the end.
+const StageInfo& method_of(const SyncResult& sync, const Integrator& integrator) {
+  if (sync.by_fixed_steps) return Rk4Options::kInfo;
+  return sync.stiff ? AutomaticOptions::kInfo : integrator.info();
+}
+
 /// Drives a model with its record.
 /// @throws DataError where the record is too short for that.
 std::optional<Verification> verify(const IdentificationTask& task, IdentificationResult& found,
@@ -109,7 +115,10 @@ std::optional<Verification> verify(const IdentificationTask& task, Identificatio
     found.warnings.push_back("synchronisation with the record did not settle");
   SyncVerdict verdict =
       beside(found.adequacy, judge(found.model, driving, sync, task.options.sync));
-  const StageInfo& method = sync.stiff ? AutomaticOptions::kInfo : integrator.info();
+  if (sync.by_fixed_steps)
+    found.warnings.push_back("synchronisation: steps that adapt got too small, fixed ones were "
+                             "taken (rk4)");
+  const StageInfo& method = method_of(sync, integrator);
   return Verification{std::move(sync), std::move(verdict), std::string(method.name)};
 }
 

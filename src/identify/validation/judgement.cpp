@@ -176,6 +176,19 @@ struct Opinion {
   std::vector<Doubt> doubts = {};  ///< why records show nothing
 };
 
+/// Whether the samples of the tests are those that were fitted: none were held out.
+bool is_on_fitted(const Validation& validation) {
+  return !validation.given && !validation.refitted;
+}
+
+std::string too_few(const Validation& validation) {
+  const std::string count = std::to_string(validation.samples) + " samples";
+  return is_on_fitted(validation)
+             ? "no part of the record could be held out, and on the " + count +
+                   " that were fitted the tests show too little"
+             : "only " + count + " are held out";
+}
+
 Opinion in_doubt(const std::string& why) { return {.doubts = {{why}}}; }
 
 Opinion opinion_of(const Findings& found, const ValidationOptions& options,
@@ -187,10 +200,11 @@ Opinion opinion_of(const Findings& found, const ValidationOptions& options,
   if (found.above > 0)
     return {ValidationVerdict::Approximation, "An approximation", numbers, Adequate::No};
   if (found.within + found.hidden == 0)
-    return in_doubt("nothing in the samples held out moves beyond their noise");
+    return in_doubt(std::string("nothing in the samples ") +
+                    (is_on_fitted(validation) ? "" : "held out ") + "moves beyond their noise");
   if (found.hidden > 0)
     return in_doubt("how large the noise of the samples is they do not show; " + numbers);
-  if (!validation.given && !validation.refitted)
+  if (is_on_fitted(validation))
     return in_doubt("no part of the record could be held out; on what was fitted, " + numbers);
   return {ValidationVerdict::FitsToNoise, "Fits to the noise", numbers, Adequate::Yes};
 }
@@ -201,7 +215,7 @@ Opinion opinion_of(const ValidationOptions& options, bool lost, const Validation
             "in most windows the model has no finite solution", Adequate::No};
   if (!says_something(validation.one_step, options) &&
       !says_something(validation.windows, options))
-    return in_doubt("only " + std::to_string(validation.samples) + " samples are held out");
+    return in_doubt(too_few(validation));
   return opinion_of(findings_in(validation, options), options, validation);
 }
 

@@ -6,12 +6,16 @@
 
 #include "core/base/check.hpp"
 #include "core/base/text.hpp"
-#include "lacuna/core/base/admission.hpp"
 #include "lacuna/core/numerics/sampled_signal.hpp"
+#include "lacuna/identify/validation/validation_options.hpp"
+#include "lacuna/records/binding/gaps.hpp"
 #include "trajectories/windows/window_gap.hpp"
 
 namespace lacuna {
 namespace {
+
+/// What to try where steps get too small.
+constexpr const char* kOtherSteps = "try fixed steps (--integrator rk4)";
 
 /// A synchronisation beside what errors are compared with.
 struct Case {
@@ -247,6 +251,41 @@ SyncVerdict admitted(SyncVerdict claimed, std::vector<Doubt> doubts = {}) {
   return {.decided = false, .sentence = "Undecided: " + admission.why + remedy + "."};
 }
 
+/// Whether `diagnose` takes a record of this length.
+bool may_be_diagnosed(const Dataset& record) {
+  return std::any_of(
+      record.trajectories.begin(), record.trajectories.end(),
+      [](const Trajectory& run) { return run.samples() >= GapOptions{}.shortest_record; });
+}
+
+/// Where to look for what a model lacks.
+std::string where_to_look(const Dataset& record) {
+  return may_be_diagnosed(record) ? "see `lacuna diagnose`"
+                                  : "`lacuna fit ONE.ode TWO.ode DATA` compares structures";
+}
+
+/// Why errors above the noise need not be of the model: too few samples, or a slave that has not
+/// forgotten by how much its first sample is off.
+/// @param late errors of the samples that are judged.
+std::vector<Doubt> doubts_of_begin(const OdeModel& model, const Case& c, const Matrix& late,
+                                   const std::string& size) {
+  // A fact of chance: one sample in 400 is off by more than so many standard deviations.
+  constexpr double kMostByChance = 3.0;
+  const auto judged = (c.floor.array() > 0.0).count();
+  if (late.rows() * judged < ValidationOptions{}.least_freedom)
+    return {{size + ", but " + std::to_string(late.rows()) + " samples behind the first quarter " +
+                 "are too few to distinguish that from chance and from the begin of the slave",
+             where_to_look(c.record)}};
+  if (c.result.start_response.size() == 0) return {};
+  Vector others = kMostByChance * c.result.start_response;
+  for (Index k = 0; k < others.size(); ++k)
+    others[k] = others[k] > c.floor[k] ? std::hypot(others[k], c.floor[k]) : 0.0;
+  if (!is_off_within(c, late, others)) return {};
+  return {{size + ", but the slave still feels by how much its first sample is off",
+           "try " + stronger_coupling(model.states(), c.result.coupling) + ", or " +
+               "`lacuna fit`, which estimates the begin"}};
+}
+
 /// The verdict on a slave that is off by more than noise, or what is resolved.
 SyncVerdict failing(const OdeModel& model, const Case& c, const std::string& size,
                     Adequacy adequacy) {
@@ -261,7 +300,7 @@ SyncVerdict failing(const OdeModel& model, const Case& c, const std::string& siz
                        (where.empty() ? "." : ", " + where + ".");
   else
     verdict.sentence = "Does not hold" + (where.empty() ? "" : ": " + where) + "; " + size +
-                       " (see `lacuna diagnose`).";
+                       " (" + where_to_look(c.record) + ").";
   return verdict;
 }
 
@@ -275,7 +314,7 @@ SyncVerdict judge_errors(const OdeModel& model, const Case& c) {
   if (adequacy.fits == Adequate::Yes)
     return admitted(
         {.holds = true, .sentence = "Holds: " + size + ".", .adequacy = std::move(adequacy)});
-  std::vector<Doubt> doubts;
+  std::vector<Doubt> doubts = doubts_of_begin(model, c, late, size);
   // The slave follows a curve of nobody's making between samples.
   if (c.result.stiff && is_off_within(c, late, missed_between_samples(c.record)))
     doubts.push_back({size + ", but the slave is faster than the samples, and a curve through "
@@ -284,6 +323,14 @@ SyncVerdict judge_errors(const OdeModel& model, const Case& c) {
   if (c.result.settled && is_off_within(c, late, steps))
     doubts.push_back({size, "let steps adapt (--integrator auto)"});
   return admitted(failing(model, c, size, std::move(adequacy)), std::move(doubts));
+}
+
+/// A slave that ran away shows that the model does not hold; an integrator that cannot go on
+/// shows nothing.
+SyncVerdict judge_broken_off(const SyncResult& result) {
+  SyncVerdict claimed{.sentence = "Does not hold: " + result.message + "."};
+  if (result.status == IntegrationStatus::Diverged) return admitted(std::move(claimed));
+  return admitted(std::move(claimed), {{result.message, kOtherSteps}});
 }
 
 }  // namespace
@@ -339,7 +386,7 @@ std::string stronger_coupling(const std::vector<Quantity>& states, const Matrix&
 SyncVerdict judge(const OdeModel& model, const Dataset& record, const SyncResult& result,
                   const SyncVerdictOptions& options) {
   if (result.status != IntegrationStatus::Completed)
-    return admitted({.sentence = "Does not hold: " + result.message + "."});
+    return judge_broken_off(result);
   if (!determines_hidden(record.trajectories.front(), result, options))
     return admitted({}, {{"slaves that begin elsewhere in hidden states do not come together "
                           "(conditional Lyapunov exponent " +
@@ -349,6 +396,10 @@ SyncVerdict judge(const OdeModel& model, const Dataset& record, const SyncResult
                               ", or measure one of them"}});
   if (!moves(record)) return admitted({}, {{"nothing that is measured moves"}});
   return judge_errors(model, case_of(record, result, options));
+}
+
+SyncVerdict left_open(const SyncVerdict& verdict, Doubt doubt) {
+  return admitted(verdict, {std::move(doubt)});
 }
 
 SyncVerdict beside(const Adequacy& predictions, SyncVerdict verdict) {

@@ -86,7 +86,10 @@ PageSection numbers_section(const Fit& fit) {
 
 Page fit_page(const Fit& fit) {
   Page page;
-  page.title = "Fit of " + (fit.records.empty() ? "a model" : short_name(fit.records.front()));
+  page.title =
+      "Fit of " + (fit.records.empty()       ? std::string("a model")
+                   : fit.records.size() == 1 ? short_name(fit.records.front())
+                                             : std::to_string(fit.records.size()) + " records");
   for (const FitQuality& quality : fit.quality) {
     page.facts.push_back({"Fit of " + quality.channel,
                           std::isfinite(quality.fit_percent)

@@ -66,10 +66,13 @@ std::string format_text(const RivalComparison& comparison) {
     row.push_back(adequacy_text(rival) + (any_tied && rival.is_tied ? ", tied" : ""));
     rows.push_back(std::move(row));
   }
+  std::string notes;
+  for (const std::string& note : comparison.notes) notes += "Note: " + note + ".\n";
   return verdict_of(comparison) + "\n\n" + text_table(rows) + "\n" +
          format_number(comparison.values) +
          " values. behind: Vuong's test against the first. tied: AICc within 2, or less than "
-         "1.96 sigma behind.\n";
+         "1.96 sigma behind.\n" +
+         notes;
 }
 
 std::string format_json(const RivalComparison& comparison) {
@@ -79,7 +82,8 @@ std::string format_json(const RivalComparison& comparison) {
   Json json{{"format", "lacuna.rivals/1"},
             {"values", comparison.values},
             {"verdict", verdict_of(comparison)},
-            {"rivals", Json::array()}};
+            {"rivals", Json::array()},
+            {"notes", comparison.notes}};
   for (const FitRival& rival : comparison.rivals)
     json["rivals"].push_back(
         {{"model", rival.name},

@@ -91,6 +91,18 @@ void set_behind(const FitRival& best, const Vector& of_best, const Vector& own, 
       rival.aicc - best.aicc <= kSupported || rival.behind < kNormalQuantile975;
 }
 
+/// The notes that all fits have.
+std::vector<std::string> common_notes(const std::vector<NamedFit>& fits) {
+  std::vector<std::string> common;
+  for (const std::string& note : fits.front().fit.notes)
+    if (std::all_of(fits.begin(), fits.end(), [&](const NamedFit& one) {
+          const std::vector<std::string>& notes = one.fit.notes;
+          return std::find(notes.begin(), notes.end(), note) != notes.end();
+        }))
+      common.push_back(note);
+  return common;
+}
+
 }  // namespace
 
 RivalComparison compare_fits(const std::vector<NamedFit>& fits) {
@@ -115,7 +127,7 @@ RivalComparison compare_fits(const std::vector<NamedFit>& fits) {
     if (i != best) set_behind(rivals[best], each[best], each[i], lags, rivals[i]);
   std::stable_sort(rivals.begin(), rivals.end(),
                    [](const FitRival& a, const FitRival& b) { return a.aicc < b.aicc; });
-  return {std::move(rivals), values};
+  return {std::move(rivals), values, common_notes(fits)};
 }
 
 }  // namespace lacuna

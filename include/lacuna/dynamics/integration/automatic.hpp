@@ -18,8 +18,9 @@ struct AutomaticOptions {
 
 /// Explicit steps to the same bit as Dopri5 as long as accuracy decides on their length; once
 /// stability does (time scales far apart) CVODE goes on, with tolerances a hundred times
-/// smaller, because the errors of its many steps of low order add up. Built without SUNDIALS it
-/// is Dopri5.
+/// smaller, because the errors of its many steps of low order add up. Where CVODE does not get on
+/// (rates that jump, as of dry friction that comes to rest) explicit steps do again. Built without
+/// SUNDIALS it is Dopri5.
 class Automatic final : public Configured<Integrator, AutomaticOptions> {
  public:
   using Configured::Configured;

@@ -35,7 +35,8 @@ using MakeStepper = std::function<std::unique_ptr<Stepper>()>;
 /// end of every advance() and goes on from there with the step it had.
 /// @param when_stiff makes what goes on once the problem has shown that it is stiff (steps at
 ///   the bound of stability, Hairer and Wanner, Sect. IV.2); for tableaus whose last two stages
-///   are at the end of the step. Empty: this method goes on.
+///   are at the end of the step. Empty: this method goes on, as it does to the end of an
+///   advance() in which what was made ends by a step that is too small.
 /// @throws ArgumentError when the tableau has no second solution.
 std::unique_ptr<Stepper> adaptive_stepper(const ButcherTableau& tableau, Index dimension,
                                           const StepControl& control,

@@ -52,6 +52,12 @@ struct SyncResult {
   /// where no noise is seen, or where the second slave does not get to the end.
   Vector response = {};
 
+  /// m: by how much (rms over the last three quarters) a slave goes elsewhere that begins off by
+  /// the standard deviation of the noise of its first sample, all states together: what a model
+  /// that does not forget its begin by then makes of the chance of one sample. 0 as `response`,
+  /// and where no error is above its noise or the start is given.
+  Vector start_response = {};
+
   /// Largest ratio over the measured states of the root mean square error of the last three
   /// quarters to the noise: about 1 where the model lacks nothing, as the slave follows the
   /// signal and not its noise. Nothing where no noise is seen.
@@ -77,6 +83,10 @@ struct SyncResult {
   /// with steps that adapt: a model or a coupling that is faster than the samples.
   bool stiff = false;
 
+  /// Whether steps that adapt got too small, as where rates jump, and the slaves were integrated
+  /// by fixed steps (Rk4) in place of Automatic.
+  bool by_fixed_steps = false;
+
   std::string message;  ///< on divergence: trajectory, time and state; else empty
 };
 
@@ -95,7 +105,8 @@ Dataset long_enough(Dataset record, const Integrator& integrator);
 
 /// Synchronises the model with every trajectory of the record. An integrator with fixed steps
 /// makes one per sample, and where the slave diverges so as many as it needs
-/// (SyncResult::stiff), as one whose steps adapt always does; in the step t_n .. t_{n+1} the
+/// (SyncResult::stiff), as one whose steps adapt always does; where those of Automatic get too
+/// small, Rk4 makes one per sample (SyncResult::by_fixed_steps). In the step t_n .. t_{n+1} the
 /// record (and the inputs) are the Lagrange polynomial through p points for a method of order
 /// p, LagrangeWindow::driving(p): t_{n-2} .. t_{n+1} for RK4. Delayed variables of the model
 /// are those of the record.

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "lacuna/core/base/admission.hpp"
 #include "lacuna/core/base/options.hpp"
 #include "lacuna/core/base/stage.hpp"
 #include "lacuna/dynamics/integration/synchroniser.hpp"
@@ -53,7 +54,11 @@ struct SyncVerdictOptions {
 /// - Else the equation is named to which the coupling has to add the largest part of its own
 ///   rate, beyond what the noise makes; one that is an identity (dq/dt = v) is none.
 ///   With hidden states none is named: what one lacks, the coupling adds to another.
-/// - Where nothing measured moves there is no verdict.
+/// - Where nothing measured moves there is no verdict; nor is there one on an integration that
+///   could not go on (StepTooSmall).
+/// - Nor does an error show anything in fewer samples than ValidationOptions::least_freedom, or
+///   where the slave has not forgotten the noise of its first sample: an error below three times
+///   SyncResult::start_response beside the floor of the state.
 /// - What fixed steps of the integrator add (SyncResult::step_errors) is taken off the errors;
 ///   where these are still above, and below what the steps add, there is no verdict.
 /// @param record that drove the slave, in the states of the model.
@@ -65,6 +70,9 @@ SyncVerdict judge(const OdeModel& model, const Dataset& record, const SyncResult
 /// up for what the model lacks; and one that does not hold where they are not has been driven
 /// off by the coupling and the noise of the record. Both leave it open whether the model holds.
 SyncVerdict beside(const Adequacy& predictions, SyncVerdict verdict);
+
+/// A verdict that something leaves in doubt: none (admit()).
+SyncVerdict left_open(const SyncVerdict& verdict, Doubt doubt);
 
 /// What to try where a slave does not follow: the option that couples twice as strongly what is
 /// coupled (m x m), "--coupling x=2,y=2, which is stronger"; strengths below 0 come out above it.

@@ -34,6 +34,8 @@ struct FitRival {
 struct RivalComparison {
   std::vector<FitRival> rivals;
   double values = 0.0;  ///< that each was compared with, n
+  /// What was noted at each of the fits, of the records then and no model.
+  std::vector<std::string> notes = {};
 };
 
 /// Compares structures by the likelihood. With l_i the log-likelihood of a value, Vuong's

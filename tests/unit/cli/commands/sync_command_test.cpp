@@ -113,10 +113,32 @@ TEST(SyncCommand, AdaptsItsStepsAndJudgesWithoutThoseThatAreGiven) {
 
 TEST(SyncCommand, ACouplingBelowZeroIsNotMadeStronger) {
   const Records records;
-  const auto result = run_command({"sync", "rossler", records.rossler(), "--coupling", "x=-3"});
+  const auto result = run_command({"sync", "rossler", records.rossler(), "--coupling", "x=-8"});
   EXPECT_EQ(result.status, 1) << result.out;
-  EXPECT_THAT(result.err, HasSubstr("--coupling x=6"));
+  EXPECT_THAT(result.err, HasSubstr("--coupling x=16"));
   EXPECT_THAT(result.err, ::testing::Not(HasSubstr("stronger")));
+}
+
+/// dx/dt = 4 u - 4 x, every 0.1 s, and u in a log of its own, with steps of 0.27 s.
+TEST(SyncCommand, AnInputThatJumpsBetweenSamplesLeavesATrueModelOpen) {
+  const Records records;
+  std::string states = "t,x\n", inputs = "t,u\n";
+  const auto level = [](int n) { return std::round(20.0 * std::sin(2.1 * n)) / 10.0; };
+  double x = 0.0;
+  for (int i = 0; i < 4000; ++i) {  // steps of 0.01 s, exact between jumps
+    if (i % 10 == 0) states += std::to_string(0.01 * i) + "," + std::to_string(x) + "\n";
+    const double u = level(i / 27);
+    if (i % 27 == 0) inputs += std::to_string(0.01 * i) + "," + std::to_string(u) + "\n";
+    x = u + (x - u) * std::exp(-0.04);
+  }
+  const std::string joined =
+      records.folder().write("x.csv", states) + "+" + records.folder().write("u.csv", inputs);
+  const std::string model =
+      records.folder().write("m.ode", "input u hold zero\ndx/dt = 4*u - 4*x\n");
+  const auto outcome = run_command({"sync", model, joined});
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("Undecided: ")) << outcome.out;
+  EXPECT_THAT(outcome.out, HasSubstr("an input jumps between"));
 }
 
 }  // namespace

@@ -128,7 +128,9 @@ TEST(StepsInPeriod, AreThoseOfASineWithNoise) {
 Dataset armature_record() {
   constexpr double kStep = 0.01;
   constexpr int kParts = 100;
-  Dataset data{.states = {{"w", "rad/s"}, {"i", "A"}}, .inputs = {{"u", "V"}}};
+  Dataset data;
+  data.states = {{"w", "rad/s"}, {"i", "A"}};
+  data.inputs = {{"u", "V"}};
   Trajectory record{"armature",
                     Vector::LinSpaced(1000, 0.0, 999 * kStep),
                     Matrix(1000, 2),

@@ -95,7 +95,9 @@ TEST(HeldInputs, AreBoundedWhereNothingIsLeftToExplain) {
         std::sin(1.7 * t) + 0.7 * std::sin(2.9 * t + 1.0) + 0.5 * std::sin(0.6 * t);
     return 0.3 * force * force;
   };
-  const support::Asked asked{.records = observed(support::hidden_record(square, 0.005)),
+  Dataset data = support::hidden_record(square, 0.005);
+  data.trajectories[0].inputs(400, 0) = data.trajectories[0].inputs(399, 0);  // it may be held
+  const support::Asked asked{.records = observed(std::move(data)),
                              .options = diagnosis_options({}, default_registry())};
   const JudgedModel found = judge_holds(asked.problem(), standard_hypotheses());
   EXPECT_EQ(found.model->inputs()[0].hold, Hold::Smooth);

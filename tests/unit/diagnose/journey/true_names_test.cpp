@@ -22,7 +22,8 @@ constexpr double kDry = 0.5, kViscous = 0.03;
 /// Wheels that run out: dw/dt = -0.5 sign(w) - 0.03 w, in closed form
 /// |w| = (|w0| + 0.5/0.03) exp(-0.03 t) - 0.5/0.03, to 0.01 rad/s; none comes to rest.
 Dataset run_out(const std::vector<double>& speeds, std::uint64_t seed) {
-  Dataset data{.states = {{"w", "rad/s"}}};
+  Dataset data;
+  data.states = {{"w", "rad/s"}};
   Random random(seed);
   for (const double speed : speeds) {
     const Vector time = Vector::LinSpaced(250, 0.0, 24.9);
@@ -51,17 +52,19 @@ TEST(TrueNames, FrictionOfWhatTurnsOneWayIsPlain) {
 /// A vessel, dh/dt = 0.01 u - 0.008 sqrt(h), by Euler steps of a hundredth of a sample; its
 /// level moves by 0.02 m about 0.6 m and is read 0.3 m too large.
 Dataset vessel(std::uint64_t seed) {
-  Dataset data{.states = {{"h", "m"}}, .inputs = {{"u", "1"}}};
-  constexpr Index kSamples = 500;
+  Dataset data;
+  data.states = {{"h", "m"}};
+  data.inputs = {{"u", "1"}};
+  constexpr Index kRows = 500;
   constexpr int kParts = 100;
   Trajectory record{"vessel",
-                    Vector::LinSpaced(kSamples, 0.0, 998.0),
-                    Matrix(kSamples, 1),
-                    Matrix(kSamples, 1),
+                    Vector::LinSpaced(kRows, 0.0, 998.0),
+                    Matrix(kRows, 1),
+                    Matrix(kRows, 1),
                     {}};
   Random random(seed);
   double h = 0.6, u = 0.62;
-  for (Index i = 0; i < kSamples; ++i) {
+  for (Index i = 0; i < kRows; ++i) {
     if (i % 25 == 0) u = 0.62 + 0.06 * random.normal();
     record.states(i, 0) = h + 0.3 + 5e-4 * random.normal();
     record.inputs(i, 0) = u;
@@ -89,7 +92,9 @@ TEST(TrueNames, AnOffsetLargerThanTheSpreadOfItsChannel) {
 
 /// dx/dt = -5 x + 2 u with a sine, exact; times were written `slower` times too large.
 Dataset slow_clock(double slower) {
-  Dataset data{.states = {{"x", "m"}}, .inputs = {{"u", "V"}}};
+  Dataset data;
+  data.states = {{"x", "m"}};
+  data.inputs = {{"u", "V"}};
   const Vector time = Vector::LinSpaced(800, 0.0, 15.98);
   const double w = 3.0;
   Random random(9);
@@ -136,7 +141,9 @@ Dataset drive(const std::vector<double>& levels, std::uint64_t seed) {
   constexpr Index kHeld = 200;
   constexpr int kParts = 20;
   const auto samples = kHeld * static_cast<Index>(levels.size());
-  Dataset data{.states = {{"n", "rpm"}}, .inputs = {{"U", "V"}}};
+  Dataset data;
+  data.states = {{"n", "rpm"}};
+  data.inputs = {{"U", "V"}};
   Trajectory record{"drive",
                     0.01 * Vector::LinSpaced(samples, 0.0, static_cast<double>(samples - 1)),
                     Matrix(samples, 1),

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <utility>
 
 #include "lacuna/dynamics/integration/cvode.hpp"
@@ -59,6 +60,20 @@ TEST(Automatic, FollowsAGateWithNanosecondsAndMilliseconds) {
   const Matrix& x = gate.data.trajectories.front().states;
   EXPECT_NEAR(x(5, 0), 1.0, 1e-6);
   EXPECT_NEAR(x(5, 1), 1.0 - std::exp(-5.0 * 1e-5 / 1e-3), 1e-4);
+}
+
+// Held while |1.2 cos(0.7 t)| < 0.5 at rest; else the sign of the velocity is that of the force.
+TEST(Automatic, RestsOnDryFrictionAndSlipsAgain) {
+  const auto swinging = [](double t, const double* x, double* dxdt) {
+    const double sign = x[1] > 0.0 ? 1.0 : x[1] < 0.0 ? -1.0 : 0.0;
+    dxdt[0] = x[1];
+    dxdt[1] = -25.0 * std::sin(x[0]) - 0.2 * x[1] + 1.2 * std::cos(0.7 * t) - 0.5 * sign;
+  };
+  const Vector start{{0.4, 0.0}}, times = sample_times(0.0, 0.01, 2001);
+  const Solution orbit = Automatic().integrate(swinging, start, times);
+  ASSERT_EQ(orbit.status, IntegrationStatus::Completed) << orbit.message;
+  const Solution fixed = Rk4({.substeps = 100}).integrate(swinging, start, times);
+  EXPECT_LT((orbit.states - fixed.states).cwiseAbs().maxCoeff(), 5e-4);
 }
 
 }  // namespace

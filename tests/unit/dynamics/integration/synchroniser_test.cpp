@@ -415,5 +415,22 @@ TEST(Synchroniser, HalvingStepsShowsWhatTheyAdd) {
   EXPECT_TRUE(synchronise(test_system("rossler").model, record, Dopri5{}).step_errors.empty());
 }
 
+// 160 periods in a sample are more than adaptive steps may be that follow each of them.
+TEST(Synchroniser, FixedStepsGoOnWhereAdaptiveOnesGetTooSmall) {
+  const OdeModel model = parse_ode("time s\nstate x\ndx/dt = 1 - x + 1000*cos(10000*t)\n", "fast");
+  const Vector time = sample_times(0.0, 0.1, 40);
+  const Matrix states = Matrix::Ones(40, 1) - Matrix((-time.array()).exp());
+  const Dataset record{
+      "r", {{"x", ""}}, {}, {{"run", time, states, Matrix(40, 0), Matrix()}}, {}};
+  const StepControl few{.max_steps = 500};
+  const SyncResult found = synchronise(model, record, Automatic({few}));
+  ASSERT_EQ(found.status, IntegrationStatus::Completed) << found.message;
+  EXPECT_TRUE(found.by_fixed_steps);
+  EXPECT_EQ(found.step_errors.size(), 1u);
+  EXPECT_EQ(found.states, synchronise(model, record, Rk4()).states);
+  EXPECT_EQ(synchronise(model, record, Dopri5({few})).status, IntegrationStatus::StepTooSmall)
+      << "who asks for adaptive steps gets these or none";
+}
+
 }  // namespace
 }  // namespace lacuna

@@ -111,7 +111,12 @@ TEST(Judgement, FewSamplesTellNothing) {
   const PredictionError few = error_of(0.01, 0.01, true, 1.0, 4.0);
   const Validation validation = judged(few, few);
   EXPECT_EQ(validation.verdict, ValidationVerdict::Undecided);
-  EXPECT_THAT(validation.sentence, HasSubstr("samples"));
+  EXPECT_THAT(validation.sentence, HasSubstr("only 500 samples are held out"));
+  Validation fitted{.samples = 41};
+  fitted.windows = {1.0, 4, 0, {few}};
+  judge({}, fitted);
+  EXPECT_EQ(fitted.verdict, ValidationVerdict::Undecided);
+  EXPECT_THAT(fitted.sentence, HasSubstr("could be held out, and on the 41 samples"));
 }
 
 TEST(Judgement, AStateWithoutFreedomDoesNotCount) {

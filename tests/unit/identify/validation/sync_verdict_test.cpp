@@ -268,5 +268,54 @@ TEST(SyncVerdict, ErrorsBelowThoseOfTheStepsLeaveItOpen) {
   EXPECT_THAT(found.sentence, HasSubstr("--integrator auto"));
 }
 
+TEST(SyncVerdict, AnIntegratorThatCannotGoOnShowsNothing) {
+  const Dataset data = record(0.01, 0.0);
+  const OdeModel model = damped_oscillator(1.0);
+  SyncResult result = synchronise(model, data, Rk4{});
+  result.message = "run: the slave cannot go on";
+  result.status = IntegrationStatus::StepTooSmall;
+  const SyncVerdict open = judge(model, data, result);
+  EXPECT_FALSE(open.decided);
+  EXPECT_THAT(open.sentence, HasSubstr("Undecided: run: the slave cannot go on"));
+  EXPECT_THAT(open.sentence, HasSubstr("--integrator rk4"));
+  result.status = IntegrationStatus::Diverged;
+  EXPECT_TRUE(judge(model, data, result).decided);
+}
+
+/// dx/dt = x (1 - x), of which the first of n samples is off.
+Dataset growth(Index n, double off) {
+  std::mt19937 engine(8);
+  std::normal_distribution<double> normal;
+  const Vector t = Vector::LinSpaced(n, 0.0, 9.0);
+  Matrix states(n, 1);
+  for (Index i = 0; i < n; ++i)
+    states(i, 0) = 1.0 / (1.0 + 30.0 * std::exp(-t[i])) + 0.01 * normal(engine);
+  states(0, 0) = 1.0 / 31.0 + off;
+  return {"g", {{"x", ""}}, {}, {{"run", t, states, Matrix(n, 0), Matrix()}}, {}};
+}
+
+SyncVerdict verdict_on_growth(const Dataset& data, const std::string& rates) {
+  const OdeModel model = parse_ode("time s\nstate x\ndx/dt = " + rates + "\n", "growth");
+  return judge(model, data, synchronise(model, data, Rk4{}));
+}
+
+TEST(SyncVerdict, ABeginThatTheSlaveDoesNotForgetLeavesItOpen) {
+  const SyncVerdict open = verdict_on_growth(growth(200, -0.02), "x*(1-x)");
+  EXPECT_FALSE(open.holds);
+  EXPECT_FALSE(open.decided) << open.sentence;
+  EXPECT_THAT(open.sentence, HasSubstr("first sample"));
+  EXPECT_TRUE(verdict_on_growth(growth(200, 0.0), "x*(1-x)").holds);
+  EXPECT_TRUE(verdict_on_growth(growth(200, 0.0), "0.5*x*(1-x)").decided);
+}
+
+TEST(SyncVerdict, FewSamplesDoNotSpeakAgainstAModel) {
+  const SyncVerdict open = verdict_on_growth(growth(14, -0.02), "x*(1-x)");
+  EXPECT_FALSE(open.holds);
+  EXPECT_FALSE(open.decided) << open.sentence;
+  EXPECT_THAT(open.sentence, HasSubstr("lacuna fit ONE.ode TWO.ode DATA"))
+      << "diagnose refuses such a record";
+  EXPECT_THAT(verdict(1.5, record(0.01, 0.0)).sentence, HasSubstr("see `lacuna diagnose`"));
+}
+
 }  // namespace
 }  // namespace lacuna

@@ -57,6 +57,16 @@ TEST(RivalsReport, JsonHasTheFieldsOfTheFormat) {
   EXPECT_EQ(json["rivals"][0]["adequacy"], "yes");
 }
 
+TEST(RivalsReport, NotesOfAllFitsFollow) {
+  RivalComparison comparison = two_rivals();
+  EXPECT_THAT(format_text(comparison), ::testing::Not(HasSubstr("Note")));
+  comparison.notes = {"no sample of the held-out records is left"};
+  EXPECT_THAT(format_text(comparison),
+              HasSubstr("Note: no sample of the held-out records is left.\n"));
+  EXPECT_EQ(nlohmann::json::parse(format_json(comparison))["notes"][0],
+            "no sample of the held-out records is left");
+}
+
 TEST(RivalsReport, WhatIsBestAloneIsTiedWithNothing) {
   RivalComparison alone = two_rivals();
   alone.rivals[1].is_tied = false;

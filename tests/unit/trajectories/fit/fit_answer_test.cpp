@@ -32,7 +32,9 @@ TEST(StandingOf, AFitThatALimitCutIsIncompleteWhereMoreCouldChangeIt) {
     const bool changes = fits != Adequate::Yes;  // other starts find nothing better than noise
     EXPECT_EQ(cut.admission.standing == Standing::Incomplete, changes);
     EXPECT_EQ(cut.is_sound(), !changes);
-    if (changes) EXPECT_THAT(sentence_of(cut), HasSubstr("Incomplete, left out: starts"));
+    if (changes) {
+      EXPECT_THAT(sentence_of(cut), HasSubstr("Incomplete, left out: starts"));
+    }
     fit.stages = {{"fit", false, kTimeIsUp}, {"starts", false, kTimeIsUp}};
     EXPECT_EQ(standing_of(fit).admission.standing, Standing::Incomplete);
     EXPECT_FALSE(standing_of(fit).is_sound());

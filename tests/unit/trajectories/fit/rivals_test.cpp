@@ -71,6 +71,15 @@ TEST(CompareFits, ATermThatIsNotThereIsTied) {
   EXPECT_LE(ahead, 1);
 }
 
+TEST(CompareFits, WhatIsNotedAtEveryFitIsSaidOnce) {
+  const Dataset data = record_of("dx/dt = -0.5*x\ny = x\n");
+  Fit first = fitted(kFirst, data), both = fitted(kBoth, data);
+  first.notes = {"of the first", "no gap on records held out"};
+  both.notes = {"no gap on records held out", "of both"};
+  EXPECT_EQ(compare_fits({{"first", first}, {"both", both}}).notes,
+            std::vector<std::string>{"no gap on records held out"});
+}
+
 TEST(CompareFits, OtherColumnsAreAnError) {
   const Dataset data = record_of("dx/dt = -0.5*x\ny = x\n");
   Fit other = fitted(kFirst, data);
