@@ -6,6 +6,7 @@
 #include <limits>
 #include <utility>
 
+#include "core/statistics/robust_statistics.hpp"
 #include "diagnose/candidates/candidate_column.hpp"
 #include "explained_records.hpp"
 #include "free_run.hpp"
@@ -186,6 +187,18 @@ Gap not_measured(const Dataset& data) {
           .records = sources_of(data)};
 }
 
+/// How long windows of so many samples last, the median of all: samples may be at uneven times.
+double window_duration(const std::vector<GapRecord>& runs, Index length) {
+  std::vector<double> durations;
+  for (const GapRecord& run : runs)
+    for (Index begin = run.begin; begin + 1 < run.time.size(); begin += length) {
+      const Index end = std::min(begin + length, run.time.size() - 1);
+      durations.push_back((run.time[end] - run.time[begin]) * static_cast<double>(length) /
+                          static_cast<double>(end - begin));
+    }
+  return durations.empty() ? 0.0 : median(std::move(durations));
+}
+
 /// The gap on records whose clocks are those of the explanation.
 Gap gap_on(const OdeModel& nominal, const Explanation& explanation,
            const HeldOutRecords& held_out, const RunContext& context) {
@@ -211,7 +224,7 @@ Gap gap_on(const OdeModel& nominal, const Explanation& explanation,
   }
   const FreeRuns free = run_freely_both(
       nominal, fit, {held_out.given.data, records.data, scale, begins}, length, context);
-  const Vector& time = fit.records.front().time;
+  const double window = window_duration(runs, length);
   const double floor = std::min(noise_floor(fit.noise, scale, held_out), held_out.known_floor);
   return {
       "rms of (measured - model) / standard deviation in windows of one mean period, "
@@ -220,7 +233,7 @@ Gap gap_on(const OdeModel& nominal, const Explanation& explanation,
       all.after.rms(),
       floor,
       all.after.above(floor),
-      static_cast<double>(length) * (time[1] - time[0]),
+      window,
       sources_of(held_out.given.data),
       all.before.diverged + all.after.diverged,
       std::move(runs),

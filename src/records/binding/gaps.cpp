@@ -2,6 +2,7 @@
 #include "lacuna/records/binding/gaps.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <map>
 #include <optional>
@@ -169,6 +170,32 @@ Dataset join_across_gaps(const Dataset& data, const GapOptions& options) {
   return result;
 }
 
+namespace {
+
+/// Jumps in the times of a record.
+struct Jumps {
+  Index count = 0;
+  Index longest = 0;   ///< sample in front of the longest
+  double steps = 0.0;  ///< usual steps that the longest has
+};
+
+std::string jump_note(const Trajectory& record, const Jumps& jumps, bool has_inputs) {
+  const bool is_one = jumps.count == 1;
+  const double from = record.time[jumps.longest], to = record.time[jumps.longest + 1];
+  // Four digits, or as many as separate the two where times are large (seconds since 1970).
+  const double size = std::max(std::abs(from), std::abs(to)) / (to - from);
+  const int digits = std::max(4, static_cast<int>(std::ceil(std::log10(size))) + 2);
+  return "time jumps " +
+         (is_one ? "" : std::to_string(jumps.count) + " times, farthest ") + "from " +
+         format_number(from, digits) + " to " + format_number(to, digits) + " (" +
+         record.source + ", " + format_number(jumps.steps, 3) +
+         " steps), and the model is carried on in between" +
+         (has_inputs ? ", its inputs by their hold" : "") + "; where another record begins " +
+         (is_one ? "there" : "at one of them") + ", number the records in a column (--trajectory)";
+}
+
+}  // namespace
+
 std::vector<std::string> notes_on_jumps(const Dataset& data, const GapOptions& options) {
   // Decisions (docs/decisions.md): of the steps, and of the median.
   constexpr double kRegular = 0.9, kAlike = 0.1;
@@ -179,17 +206,15 @@ std::vector<std::string> notes_on_jumps(const Dataset& data, const GapOptions& o
     if (n < 2) continue;
     const Vector steps = record.time.tail(n) - record.time.head(n);
     const double usual = median({steps.begin(), steps.end()});
-    Index at = 0;
-    const double longest = steps.maxCoeff(&at);
+    Jumps jumps;
+    const double longest = steps.maxCoeff(&jumps.longest);
     const auto alike = ((steps.array() - usual).abs() <= kAlike * usual).count();
     if (static_cast<double>(alike) < kRegular * static_cast<double>(n) ||
         longest <= longest_time(options, usual))
       continue;
-    notes.push_back("time jumps from " + format_number(record.time[at]) + " to " +
-                    format_number(record.time[at + 1]) + " (" + record.source + ", " +
-                    format_number(longest / usual, 3) +
-                    " steps), and the model is carried on in between; where another record "
-                    "begins there, number the records in a column (--trajectory)");
+    jumps.count = (steps.array() > longest_time(options, usual)).count();
+    jumps.steps = longest / usual;
+    notes.push_back(jump_note(record, jumps, data.input_count() > 0));
   }
   return notes;
 }

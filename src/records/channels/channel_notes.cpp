@@ -4,8 +4,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "core/base/text.hpp"
+#include "core/statistics/robust_statistics.hpp"
+#include "data/records/split.hpp"
+#include "lacuna/data/records/marks.hpp"
 
 namespace lacuna {
 namespace {
@@ -26,9 +30,55 @@ std::string clipped_note(const Quantity& state, const Channel& channel) {
          "; they count as 'at least' or 'at most' so much";
 }
 
-std::string missing_note(const Quantity& state, const Channel& channel) {
-  return "dropouts: " + percent(channel.missing) + " of the samples of " + state.name +
-         " are blank, repeat the last value or lie on lines between others; they are left out";
+/// Times from row to row, of one state from each sample that is not missing to the next.
+struct RowSteps {
+  std::vector<double> steps;
+  double usual = 0.0;
+  std::optional<double> gap;  ///< above which a step has a gap (gap_threshold())
+
+  /// Whether nearly all steps are alike: nothing else has a gap of less than two.
+  bool is_even() const { return gap && *gap < 2.0 * usual; }
+};
+
+RowSteps row_steps(const Dataset& data, std::optional<Index> state) {
+  RowSteps rows;
+  for (const Trajectory& record : data.trajectories) {
+    std::optional<double> last;
+    for (Index i = 0; i < record.samples(); ++i) {
+      if (state && mark_of(record.marks, i, *state) == Mark::Missing) continue;
+      if (last) rows.steps.push_back(record.time[i] - *last);
+      last = record.time[i];
+    }
+  }
+  if (!rows.steps.empty()) rows.usual = median(rows.steps);
+  rows.gap = gap_threshold(rows.steps);
+  return rows;
+}
+
+/// The part of its samples that a channel lacks. Rows at times of others, as of another file or
+/// a faster sensor, lack nothing: there the gaps in its own sampling count.
+/// @param missing part of all rows.
+double lacking(const Dataset& data, Index state, double missing) {
+  const RowSteps all = row_steps(data, std::nullopt), own = row_steps(data, state);
+  if (!own.gap) return missing;
+  // Among rows at even times only even steps of several rows are a channel's own.
+  if (all.is_even() && !(own.is_even() && own.usual > *all.gap)) return missing;
+  double lost = 0.0;
+  for (const double step : own.steps)
+    if (step > *own.gap) lost += std::round(step / own.usual) - 1.0;
+  return lost / (lost + static_cast<double>(own.steps.size()));
+}
+
+std::string missing_note(const Dataset& data, Index state, double missing) {
+  const std::string& name = data.states[static_cast<std::size_t>(state)].name;
+  const double lost = lacking(data, state, missing);
+  if (lost > 0.0)
+    return "dropouts: " + percent(lost) + " of the samples of " + name +
+           " are blank, repeat the last value or lie on lines between others; they are left "
+           "out";
+  return name + " has samples of its own in " + percent(1.0 - missing) +
+         " of the rows; the others (blank, the last value again or on lines between samples) "
+         "are left out";
 }
 
 /// Span of the values of a state.
@@ -67,7 +117,8 @@ std::vector<std::string> channel_notes(const BoundRecords& records) {
     if (!channel.measured) continue;
     if (channel.limits.high || channel.limits.low)
       notes.push_back(clipped_note(state, channel));
-    if (channel.missing > 0.0) notes.push_back(missing_note(state, channel));
+    if (channel.missing > 0.0)
+      notes.push_back(missing_note(records.data, static_cast<Index>(k), channel.missing));
     const double span = span_of(records.data, static_cast<Index>(k));
     if (std::string note = quantised_note(state, channel, span); !note.empty())
       notes.push_back(std::move(note));

@@ -192,13 +192,11 @@ void add_runs(const Diagnosis& diagnosis, Page& page) {
                      noise_of(diagnosis),
                      "nominal model",
                      "augmented model"};
-  const std::string window =
-      format_number(diagnosis.gap->window, 3) + " " + diagnosis.nominal.time_unit();
   page.sections.push_back(
       {"Measured and modelled, before and after",
        element("p", Markup::text("Records that were not used to find anything. Both models "
-                                 "run freely in windows of " +
-                                 window +
+                                 "run freely " +
+                                 stretch_text(view) +
                                  ", each from the initial state that fits best. Click "
                                  "a name to hide or show a curve.")),
        comparison_pictures(view)});

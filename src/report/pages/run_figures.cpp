@@ -158,6 +158,10 @@ Matrix stacked(const std::vector<Matrix>& parts) {
   return all;
 }
 
+std::string stretch_text(const RunView& view) {
+  return stretch_of(longest(view.runs), view.time_unit);
+}
+
 std::vector<Picture> comparison_pictures(const RunView& view) {
   std::vector<Picture> pictures;
   if (view.runs.empty()) return pictures;
@@ -186,7 +190,7 @@ std::vector<Picture> comparison_pictures(const RunView& view) {
 std::vector<Picture> deviation_pictures(const RunView& view) {
   std::vector<Picture> pictures;
   if (view.runs.empty()) return pictures;
-  const std::string stretch = stretch_of(longest(view.runs), view.time_unit);
+  const std::string stretch = stretch_text(view);
   const GapRecord run = in_windows(longest(view.runs));
   for (Index k = 0; k < shown_states(view); ++k) {
     if (!is_seen(run, k)) continue;

@@ -29,6 +29,10 @@ Series ends_of(const std::string& label, const Vector& time, const Vector& low,
 /// Rows of several records under one another, a row of NaN between two: curves with gaps.
 Matrix stacked(const std::vector<Matrix>& parts);
 
+/// Where the models run in the pictures: "in windows of 1.7 s" of the longest record, or "over the
+/// whole record". @param view of one record at least.
+std::string stretch_text(const RunView& view);
+
 /// Measured values beside the models over some windows of the longest record, one picture for
 /// each state.
 std::vector<Picture> comparison_pictures(const RunView& view);

@@ -36,7 +36,8 @@ Dataset join_across_gaps(const Dataset& data, const GapOptions& options = {});
 
 /// What there is to be said of jumps in time inside records: where nine tenths of the steps of a
 /// record are alike and the longest is more than GapOptions::longest_gap of them, another record
-/// may begin behind it, with initial states of its own. Samples at uneven times have no jumps.
+/// may begin behind it, with initial states of its own. The note counts them. Samples at uneven
+/// times have no jumps.
 /// @throws ArgumentError when a record has not the columns of the dataset.
 std::vector<std::string> notes_on_jumps(const Dataset& data, const GapOptions& options = {});
 

@@ -36,6 +36,25 @@ TEST(Gap, StaysWhereNothingIsMissing) {
   EXPECT_NEAR(gap.ratio(), 1.0, 0.05);
 }
 
+TEST(Gap, WindowsLastAsLongAsTheirSamplesAtUnevenTimes) {
+  const Dataset data = support::hidden_record(support::nothing, 0.01, 3);
+  const Explanation nothing{{}, support::assimilated(data)};
+  Dataset other = support::hidden_record(support::nothing, 0.01, 5);
+  Trajectory& record = other.trajectories[0];
+  // Every second sample of the first ones is left out, as where another log begins later.
+  std::vector<Index> kept;
+  for (Index i = 0; i < record.samples(); ++i)
+    if (i > 20 || i % 2 == 0) kept.push_back(i);
+  record.time = record.time(kept).eval();
+  record.states = record.states(kept, Eigen::all).eval();
+  record.inputs = record.inputs(kept, Eigen::all).eval();
+  const Gap gap =
+      measure_gap(support::oscillator(), nothing, {as_measured(other), other}, RunContext{});
+  const GapRecord& run = gap.runs.front();
+  const Index begin = run.begin + 2 * run.length;
+  EXPECT_NEAR(gap.window, run.time[begin + run.length] - run.time[begin], 1e-6);
+}
+
 TEST(Gap, NoiseIsNotWhatAnotherExplanationOfTheSameRecordsExplains) {
   const Dataset data = support::hidden_record(support::dry_friction, 0.01, 3);
   const Explanation nothing{{}, support::assimilated(data)};

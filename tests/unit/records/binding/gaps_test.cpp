@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "core/base/random.hpp"
+#include "core/base/text.hpp"
 #include "lacuna/core/base/error.hpp"
 #include "lacuna/data/records/marks.hpp"
 #include "support/expect_error.hpp"
@@ -88,6 +89,18 @@ TEST(NotesOnJumps, SaidWhereTimeIsRegularOtherwise) {
   ASSERT_EQ(notes.size(), 1u);
   EXPECT_NE(notes[0].find("run.csv, piece 1, 13 steps"), std::string::npos) << notes[0];
   EXPECT_TRUE(notes_on_jumps(data, {.longest_gap = 13.0}).empty());
+  EXPECT_EQ(notes[0].find(" times, "), std::string::npos) << "one jump is not counted";
+  EXPECT_NE(notes[0].find("inputs by their hold"), std::string::npos) << notes[0];
+  time.head(20).array() -= 14.0 * step;
+  const std::string two = notes_on_jumps(data).at(0);
+  EXPECT_NE(two.find("time jumps 2 times, farthest from " + format_number(time[19], 4) +
+                     " to " + format_number(time[20], 4) + " ("),
+            std::string::npos)
+      << two;
+  EXPECT_NE(two.find(", 15 steps"), std::string::npos) << two;
+  time.array() += 5e8 - time[19];
+  EXPECT_NE(notes_on_jumps(data).at(0).find("from 500000000 to 50000000"), std::string::npos)
+      << notes_on_jumps(data).at(0);
   for (Index i = 0; i < time.size(); i += 5) time[i] += 0.3 * step;  // uneven
   EXPECT_TRUE(notes_on_jumps(data).empty());
   EXPECT_TRUE(notes_on_jumps(pieces({piece(0, 1, 1)})).empty());

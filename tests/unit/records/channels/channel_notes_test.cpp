@@ -4,6 +4,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
+#include "lacuna/data/records/marks.hpp"
+
 namespace lacuna {
 namespace {
 
@@ -35,6 +39,41 @@ TEST(ChannelNotes, SayWhereAChannelIsClipped) {
 TEST(ChannelNotes, SayHowManySamplesAreMissing) {
   EXPECT_THAT(notes_of({.missing = 0.8}), ElementsAre(HasSubstr("dropouts: 80 %")));
   EXPECT_THAT(notes_of({.measured = false, .missing = 0.8}), IsEmpty());
+}
+
+/// One channel at steps of 0.1, with rows at steps of 0.037 between in which it has no sample, as
+/// those of another log, and without every so many of its own.
+std::vector<std::string> notes_of_joined(Index lost_each) {
+  BoundRecords records;
+  records.data.states = {{"q", "V"}};
+  std::vector<double> own, times;
+  for (Index i = 0; i < 200; ++i) own.push_back(0.1 * static_cast<double>(i));
+  times = own;
+  for (Index i = 1; i < 500; ++i) times.push_back(0.037 * static_cast<double>(i) + 1e-3);
+  std::sort(times.begin(), times.end());
+  Trajectory record;
+  const auto n = static_cast<Index>(times.size());
+  record.time = Eigen::Map<const Vector>(times.data(), n);
+  record.states = record.time.array().sin();
+  Index missing = 0;
+  for (Index i = 0; i < n; ++i) {
+    const auto at = std::find(own.begin(), own.end(), record.time[i]);
+    const bool is_lost =
+        at != own.end() && lost_each > 0 && (at - own.begin()) % lost_each == lost_each - 2;
+    if (at != own.end() && !is_lost) continue;
+    set_mark(record, i, 0, Mark::Missing);
+    ++missing;
+  }
+  records.data.trajectories = {std::move(record)};
+  records.channels = {
+      {.missing = static_cast<double>(missing) / static_cast<double>(n)}};
+  return channel_notes(records);
+}
+
+TEST(ChannelNotes, RowsOfAnotherLogAreNoDropouts) {
+  EXPECT_THAT(notes_of_joined(0),
+              ElementsAre(HasSubstr("q has samples of its own in 29 % of the rows")));
+  EXPECT_THAT(notes_of_joined(20), ElementsAre(HasSubstr("dropouts: 5 % of the samples of q")));
 }
 
 TEST(ChannelNotes, SayHowCoarseAChannelIsWhereThatMatters) {

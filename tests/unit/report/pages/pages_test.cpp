@@ -132,6 +132,7 @@ TEST(Pages, DiagnosisShowsWhatItShould) {
                                                         {"where_v", 1}}));
   const std::string html = format_html(page);
   EXPECT_EQ(support::first_fault(html), "");
+  EXPECT_THAT(html, HasSubstr("run freely in windows of 1.01 s,")) << "as in the pictures";
   EXPECT_THAT(html, HasSubstr("+ 20")) << "how much worse the second composite model is";
   EXPECT_THAT(html, HasSubstr("frequency 0.291 1/s"));
   EXPECT_THAT(html, HasSubstr("a note."));

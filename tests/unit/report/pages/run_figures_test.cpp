@@ -100,6 +100,7 @@ TEST(RunFigures, EndWithTheLastWholeWindow) {
   EXPECT_NEAR(values_of(shown, "measured").rbegin()->first, 19.9, 1e-9);
   EXPECT_EQ(values_of(left, view.after).size(), 200u);
   EXPECT_EQ(left.title, "x [V]: measured minus model in windows of 5 s");
+  EXPECT_EQ(stretch_text(view), "in windows of 5 s");
   runs[0].length = 0;
   EXPECT_EQ(deviation_pictures(view).at(0).title,
             "x [V]: measured minus model over the whole record");
