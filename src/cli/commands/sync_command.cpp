@@ -95,9 +95,9 @@ SyncVerdict beside_late_inputs(SyncVerdict verdict, const OdeModel& driven,
   const Dataset kept = records_for(driven, request.data, roles, differentiator);
   if (!jumps_between_samples(driven.inputs(), kept)) return verdict;
   return left_open(verdict, {"the slave is off, but an input jumps between the samples that drive "
-                            "it, and comes late by up to one",
-                            "use `lacuna fit` or `lacuna diagnose`, which take each channel at "
-                            "its own times"});
+                             "it, and comes late by up to one",
+                             "use `lacuna fit` or `lacuna diagnose`, which take each channel at "
+                             "its own times"});
 }
 
 int sync_command(const Session& session, const SyncArguments& options) {
