@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Mapping
+from functools import cache
 from typing import TYPE_CHECKING, Any
 
 from . import _lacuna
@@ -159,9 +160,10 @@ def header(name: Any, unit: Any) -> str:
     return f"{name} [{unit}]" if unit else str(name)
 
 
+@cache
 def bare(name: str) -> str:
-    """A header without its unit."""
-    return name.split(" [")[0]
+    """A header without its unit, as the library reads it."""
+    return str(_lacuna.Table("frame", [name], [""], 0).names[0]) if name else name
 
 
 def column(values: Any, place: str) -> Column:

@@ -37,7 +37,7 @@ PAIRS = {"coupling", "hold", "map", "noise", "set"}  # arguments that are dictio
 _NUMBER = r"[-+]?\d[\d.]*(?:e[-+]?\d+)?"
 _OPTION = re.compile(
     r"--(?P<option>[a-z][a-z0-9-]*)"
-    rf"(?: (?P<pair>[\w.]+=(?:[^,;()]+(?=\))|[^\s,;()]+))(?![^\s;)])"
+    rf"(?: (?P<pair>[^\s=;()]+=(?:[^,;()]+(?=\))|[^\s,;()]+))(?![^\s;)])"
     rf"| (?P<numbers>{_NUMBER}(?:,{_NUMBER})*)(?![^\s;)])"
     r"| (?P<word>[A-Z]+\b|[a-z]+(?=\))))?"
 )
@@ -69,6 +69,8 @@ def in_python(text: str, known: Collection[str] = ()) -> str:
         if found["numbers"]:
             numbers = found["numbers"]
             return f"{name}=[{numbers}]" if "," in numbers else f"{name}={numbers}"
+        if option in PAIRS and re.match(" [^;]*=", text[found.end() :]):
+            return found[0]
         return f"{name}={found['word']!r}" if found["word"] else f"{name}="
 
     return _OPTION.sub(argument, text)

@@ -112,3 +112,17 @@ def test_the_time_is_the_column_that_is_named(frame: pd.DataFrame) -> None:
 def test_words_in_a_column_are_refused() -> None:
     with pytest.raises(lacuna.DataError, match="label"):
         lacuna.check({"x": np.zeros(5), "label": list("abcde")}, 0.1)
+
+
+def test_a_time_by_another_name_is_a_coordinate_or_a_column_of_dates() -> None:
+    t, wave = np.arange(50) * 0.25, np.sin(np.arange(50.0))
+    data = xr.Dataset({"x": ("clock", wave)}, coords={"clock": ("clock", t, {"units": "ms"})})
+    assert [c.name for c in lacuna.check(data).columns] == ["x"]
+    assert lacuna.check(data).time_unit == "ms"
+    dates = pd.date_range("2026-03-01", periods=50, freq="250ms").to_numpy()
+    for dated in ({"x": wave, "when": dates}, pl.DataFrame({"x": wave, "when": dates})):
+        assert [c.name for c in lacuna.check(dated).columns] == ["x"]
+        assert lacuna.check(dated).records[0].step == pytest.approx(0.25)
+    for bare in ({"x": t, "v": wave}, pl.DataFrame({"x": t, "v": wave})):
+        with pytest.raises(lacuna.ArgumentError, match="no time"):
+            lacuna.check(bare)

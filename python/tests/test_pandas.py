@@ -200,6 +200,9 @@ def test_columns_may_be_named_with_their_units(tank: pd.DataFrame) -> None:
         assert fit.model_(0.0, frame, frame).shape == (len(frame), 1)
         found = lacuna.identify(frame, states="level [m]", inputs=name, **options)
         assert found.model.terms == TERMS
+    for label in ("inflow[m/s]", "inflow (m/s)"):
+        other = frame.rename(columns={"inflow [m/s]": label})
+        assert ODERegressor(**options).fit(other, u=label).score(other, u=[label]) > 0.999
     clocked = frame.rename_axis("clock").reset_index().rename(columns={"clock": "clock [s]"})
     fit = ODERegressor(**options).fit(clocked, t="clock [s]", u="inflow [m/s]")
     assert fit.model_.terms == TERMS

@@ -47,6 +47,7 @@ def test_errors_name_arguments(call: Callable[[], object], says: str) -> None:
         # What has no argument of this name, or another form there, is left as it is.
         ("save the model (--model-out) first", "save the model (--model-out) first"),
         ('--set basis={"type": "x"}', '--set basis={"type": "x"}'),
+        ("(--map force (N)=COLUMN)", "(--map force (N)=COLUMN)"),
         ("a--b", "a--b"),
     ],
 )
