@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import os
 from collections.abc import Mapping
-from functools import cache
 from typing import TYPE_CHECKING, Any
 
 from . import _lacuna
@@ -160,7 +159,6 @@ def header(name: Any, unit: Any) -> str:
     return f"{name} [{unit}]" if unit else str(name)
 
 
-@cache
 def bare(name: str) -> str:
     """A header without its unit, as the library reads it."""
     return str(_lacuna.Table("frame", [name], [""], 0).names[0]) if name else name
