@@ -112,7 +112,7 @@ double usual_step(const std::vector<double>& times) {
 
 /// Times that are those of the first table but for the digits of units become these.
 void snap_to(const std::vector<double>& first, TimedTable& one) {
-  constexpr double kSame = 1e-3;  // of the smaller step: digits of units, no motion
+  constexpr double kSame = 1e-3;  // a fact of digits: of the smaller step, no motion
   const double near = kSame * std::min(usual_step(first), usual_step(times_of(one)));
   for (double& time : one.table.values.col(one.time)) {
     const auto behind = std::lower_bound(first.begin(), first.end(), time);

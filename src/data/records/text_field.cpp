@@ -25,7 +25,7 @@ std::string_view unquote(std::string_view text) {
 bool is_missing(std::string_view field) {
   constexpr std::array<std::string_view, 12> kWords{
       "", "nan", "-nan", "na", "n/a", "n.d.", "nd", "-", "#nv", "#n/a", "null", "none"};
-  constexpr std::size_t kLongest = 4;
+  constexpr std::size_t kLongest = 4;  // a fact of the words above
   if (field.size() > kLongest) return false;
   const std::string word = lower_case(field);
   return std::find(kWords.begin(), kWords.end(), word) != kWords.end();

@@ -62,7 +62,7 @@ Vector noise_of_given_rates(const OdeModel& model, const Dataset& data,
 
 void note_floors_of_given_rates(const OdeModel& model, const Dataset& data,
                                 const Vector& state_noise, std::vector<EquationFit>& fits) {
-  constexpr double kMost = 2.0;  // of the noise, as judge_fits() has it
+  constexpr double kMost = 2.0;  // a decision: of the noise, that of judge_fits()
   const Vector noise = noise_of_given_rates(model, data, state_noise);
   const Vector rounding = kRoundingOfRates * sizes_of_rates(data);
   for (std::size_t k = 0; k < fits.size(); ++k) {
