@@ -49,6 +49,7 @@ std::vector<Hold> possible_holds(const Problem& problem, Index input) {
   return {Hold::Zero, Hold::Linear, Hold::Smooth, Hold::Switching};
 }
 
+/// Whether anything shows that a dense input is held: a sample that repeats the one before.
 bool repeats_samples(const Dataset& data, Index input) {
   return std::any_of(data.trajectories.begin(), data.trajectories.end(),
                      [&](const Trajectory& record) {
@@ -56,18 +57,6 @@ bool repeats_samples(const Dataset& data, Index input) {
                        const Index n = values.size() - 1;
                        return (values.tail(n).array() == values.head(n).array()).any();
                      });
-}
-
-/// The holds that are asked before effects are sought. Of a dense input none of whose samples
-/// repeats the one before, nothing shows that it is held: zero would be half a step of delay,
-/// which belongs to whatever delays it, and lines are the smooth curve there. Where an effect of
-/// the input is that, rival_holds() asks.
-std::vector<Hold> evident_holds(const Problem& problem, Index input) {
-  std::vector<Hold> holds = possible_holds(problem, input);
-  if (holds == std::vector{Hold::Zero, Hold::Smooth} &&
-      !repeats_samples(problem.records.data, input))
-    holds.erase(holds.begin());
-  return holds;
 }
 
 std::string meaning(Hold hold) {
@@ -98,7 +87,7 @@ std::vector<TriedHold> tried_holds(const Problem& problem, const Holds& holds, I
   options.free = free_coefficients(problem.nominal);
   options.priors = problem.options.tolerances;
   std::vector<TriedHold> tried;
-  for (const Hold hold : evident_holds(problem, input)) tried.push_back({hold, INFINITY});
+  for (const Hold hold : possible_holds(problem, input)) tried.push_back({hold, INFINITY});
   parallel_for(tried.size(), problem.context.threads, [&](std::size_t h) {
     Holds assumed = holds;
     assumed[static_cast<std::size_t>(input)] = tried[h].hold;
@@ -256,11 +245,14 @@ RivalHolds rival_holds(const Problem& problem, const std::vector<OpenInput>& ope
         complete || effects.size() > 1 || leaves_structure(best, decision) || of_input;
     std::vector<OdeModel> better =
         better_holds(problem, best, input, doubtful ? -decision.undecided : decision.undecided);
-    // What the hold explains of a model that lacks an effect settles nothing where the effect
-    // explains more, unless nothing is left to explain and nothing stands for the hold.
-    if (better.empty() && lead < explained && (!complete || of_input))
-      better.push_back(with_hold(problem.nominal, input, second));
     const auto hold = problem.nominal.inputs()[static_cast<std::size_t>(input)].hold;
+    // What the hold explains of a model that lacks an effect settles nothing where the effect
+    // explains more, unless nothing is left to explain and nothing stands for the hold. Half a
+    // step of delay that no repeated sample shows settles nothing beside an effect of the input.
+    const bool unshown =
+        hold == Hold::Zero && of_input && !repeats_samples(problem.records.data, input);
+    if (better.empty() && (unshown || (lead < explained && (!complete || of_input))))
+      better.push_back(with_hold(problem.nominal, input, second));
     if (!better.empty() && hold == shown_hold(problem.records.data, input) &&
         is_recorded_late(problem, best, input))
       continue;  // its samples are at other times, which half a step of a hold does not mend

@@ -9,8 +9,10 @@
 
 #include "cli/configuration/diagnosis_configuration.hpp"
 #include "core/base/random.hpp"
+#include "diagnose/hypotheses/input_holds.hpp"
 #include "lacuna/cli/configuration/registry.hpp"
 #include "lacuna/model/files/model_file.hpp"
+#include "lacuna/model/files/ode_text.hpp"
 #include "support/asked.hpp"
 
 namespace lacuna {
@@ -95,9 +97,7 @@ TEST(HeldInputs, AreBoundedWhereNothingIsLeftToExplain) {
         std::sin(1.7 * t) + 0.7 * std::sin(2.9 * t + 1.0) + 0.5 * std::sin(0.6 * t);
     return 0.3 * force * force;
   };
-  Dataset data = support::hidden_record(square, 0.005);
-  data.trajectories[0].inputs(400, 0) = data.trajectories[0].inputs(399, 0);  // it may be held
-  const support::Asked asked{.records = observed(std::move(data)),
+  const support::Asked asked{.records = observed(support::hidden_record(square, 0.005)),
                              .options = diagnosis_options({}, default_registry())};
   const JudgedModel found = judge_holds(asked.problem(), standard_hypotheses());
   EXPECT_EQ(found.model->inputs()[0].hold, Hold::Smooth);
@@ -109,6 +109,42 @@ TEST(HeldInputs, AreBoundedWhereNothingIsLeftToExplain) {
   ASSERT_NE(bounded, trail.end());
   EXPECT_FALSE(bounded->taken);
   EXPECT_GT(bounded->value, bounded->threshold);
+}
+
+/// A filter of first order behind a smooth input that comes late: its exact answer to two tones.
+Dataset behind_a_late_input(const OdeModel& filter, double late) {
+  constexpr double kStep = 0.1, kRate = 0.5;  // of the filter
+  Random random(8);
+  Trajectory record;
+  record.time = Vector::LinSpaced(800, 0.0, 799 * kStep);
+  record.states = Matrix::Zero(800, 1);
+  record.inputs = Matrix::Zero(800, 1);
+  for (const double w : {0.7, 1.9}) {
+    const double gain = kRate / std::hypot(kRate, w), lag = std::atan2(w, kRate);
+    record.inputs.col(0).array() += (w * record.time.array()).sin();
+    record.states.col(0).array() += gain * (w * (record.time.array() - late) - lag).sin();
+  }
+  for (double& x : record.states.reshaped()) x += 1e-4 * random.normal();
+  Dataset data;
+  data.states = filter.states();
+  data.inputs = filter.inputs();
+  data.trajectories = {record};
+  return data;
+}
+
+/// A hold is half a step of delay, and a delay of 0.6 steps beside it one of 0.1: as no sample
+/// repeats another, effects are sought beside the smooth input too.
+TEST(HeldInputs, AreAskedAnewWhereNoSampleShowsThatTheyAreHeld) {
+  const OdeModel filter = parse_ode("input u\ndx/dt = 0.5*u - 0.5*x\n", "made");
+  support::Asked asked{.records = observed(behind_a_late_input(filter, 0.06)),
+                       .options = diagnosis_options({}, default_registry())};
+  asked.nominal = filter;
+  EXPECT_EQ(choose_holds(asked.problem()).model.inputs()[0].hold, Hold::Zero);
+  const JudgedModel found = judge_holds(asked.problem(), standard_hypotheses());
+  EXPECT_EQ(found.model->inputs()[0].hold, Hold::Smooth);
+  ASSERT_EQ(found.judged.best.named.size(), 1u);
+  EXPECT_EQ(found.judged.best.named[0].name, "delay");
+  EXPECT_NEAR(found.judged.best.explanation.effects[0].shapes[0], 0.06, 5e-4);
 }
 
 TEST(HeldInputs, AreNotTakenForMoreEffectsWhereFewerLeaveNothing) {
