@@ -5,7 +5,7 @@ set -euo pipefail
 cd "$(dirname "$0")/.."
 table=${1:-build/coverage/coverage.md}
 
-scripts/setup.sh coverage
+scripts/setup.sh check coverage
 cmake --preset coverage
 cmake --build --preset coverage
 find build/coverage -name '*.gcda' -delete

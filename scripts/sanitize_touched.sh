@@ -34,7 +34,7 @@ if [ ${#tests[@]} -eq 0 ]; then echo "no unit tests of what was changed since $b
 echo "${tests[*]}"
 if $list; then exit 0; fi
 
-scripts/setup.sh clang
+scripts/setup.sh tests clang
 cmake --preset asan-ubsan > /dev/null
 cmake --build --preset asan-ubsan --target "${tests[@]}"
 failed=()

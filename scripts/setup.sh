@@ -1,14 +1,15 @@
 #!/usr/bin/env bash
 # Installs what lacuna needs from the packages of Debian 12 or Ubuntu 24.04. Does nothing when all
 # of it is there. Run as root, or as a user who may use sudo.
-# Usage: scripts/setup.sh [check|clang|docs|coverage|python]...   (check: and the programs without which
-# tests are skipped; clang: and what builds with sanitizers and fuzzing need; docs: and what makes the
-# documentation; coverage: and what counts lines that tests run; python: and what builds the Python
-# package, which check has too)
+# Usage: scripts/setup.sh [tests|check|clang|style|docs|coverage|python]...   (without: what the program needs;
+# tests: and what tests and benchmarks are built with; check: and the programs without which tests are
+# skipped; clang: and what builds with sanitizers and fuzzing need; style: and what looks at changed
+# lines; docs: and what makes the documentation; coverage: and what counts lines that tests run; python:
+# and what builds the Python package, which check has too)
 set -euo pipefail
 
 packages=(
-  g++ cmake ninja-build ccache git ca-certificates
+  g++ cmake ninja-build
   libeigen3-dev            # linear algebra
   libceres-dev             # nonlinear least squares: an inner solver
   libnlopt-dev libnlopt-cxx-dev  # nonlinear optimisation: an inner solver
@@ -18,9 +19,12 @@ packages=(
   libcli11-dev             # command line
   libboost-dev             # Boost.Math: quantiles
   zlib1g-dev               # compressed records
-  libopenmpi-dev openmpi-bin  # several machines: lacuna-mpi
   libexpat1-dev            # workbooks: .xlsx, .ods
   libmatio-dev libhdf5-dev # records of MATLAB, HDF5 and netCDF
+)
+build_packages=(
+  ccache git ca-certificates
+  libopenmpi-dev openmpi-bin  # several machines: lacuna-mpi
   libgtest-dev libgmock-dev libbenchmark-dev
   rapidjson-dev            # checks of JSON schemas, in the tests
 )
@@ -63,16 +67,21 @@ python_packages=(python3-dev python3-venv)
 grep -q '^ID=ubuntu' /etc/os-release || test_packages+=(chromium)
 
 installed=false
-install "${packages[@]}"
 for part in "$@"; do
   case $part in
-    check) install "${test_packages[@]}" "${python_packages[@]}" ;;
-    python) install "${python_packages[@]}" ;;
-    # The sanitizers of the clang that there is now.
-    clang) install clang; install "libclang-rt-$(clang++ -dumpversion | cut -d. -f1)-dev" ;;
-    docs) install doxygen libjs-katex python3-venv ;;
-    coverage) install gcovr ;;
-    *) echo "setup: '$part' is none of check, clang, docs, coverage, python" >&2; exit 2 ;;
+    tests) packages+=("${build_packages[@]}") ;;
+    check) packages+=("${build_packages[@]}" "${test_packages[@]}" "${python_packages[@]}") ;;
+    python) packages+=("${python_packages[@]}") ;;
+    clang) packages+=(clang) ;;
+    style) packages+=(clang-format clang-tidy) ;;
+    docs) packages+=(doxygen libjs-katex python3-venv) ;;
+    coverage) packages+=(gcovr) ;;
+    *) echo "setup: '$part' is none of tests, check, clang, style, docs, coverage, python" >&2; exit 2 ;;
   esac
 done
+install "${packages[@]}"
+# The sanitizers of the clang that there is now.
+case " $* " in
+  *" clang "*) install "libclang-rt-$(clang++ -dumpversion | cut -d. -f1)-dev" ;;
+esac
 $installed || echo "setup: nothing to install"

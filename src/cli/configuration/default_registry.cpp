@@ -139,7 +139,9 @@ void add_families(Registry& registry, FamilyList<Families...>) {
 }
 
 void add_identification(Registry& registry) {
+  registry.add<Rules<LibraryOptions>>();
   registry.add<Rules<FormOptions>>();
+  registry.add<Rules<DeadTimeOptions>>();
   registry.add<Rules<ValidationOptions>>();
   registry.add<Rules<RelationOptions>>();
   registry.add<Rules<AdviceOptions>>();

@@ -22,7 +22,9 @@ IdentificationOptions identification_options(const Configuration& configuration,
                                              const Registry& registry) {
   const Json root = Json::parse(configuration.text());
   IdentificationOptions options;
+  read(registry, root, options.library);
   read(registry, root, options.forms);
+  read(registry, root, options.dead_time);
   read(registry, root, options.validation);
   read(registry, root, options.relations);
   read(registry, root, options.advice);

@@ -47,12 +47,6 @@ decltype(auto) with_shape(Index size, Index states, Work&& work) {
         return work(Shape<3, true>(size, states));
       case 4:
         return work(Shape<4, true>(size, states));
-      case 5:
-        return work(Shape<5, true>(size, states));
-      case 6:
-        return work(Shape<6, true>(size, states));
-      case 7:
-        return work(Shape<7, true>(size, states));
       case 8:
         return work(Shape<8, true>(size, states));
       default:
@@ -60,7 +54,6 @@ decltype(auto) with_shape(Index size, Index states, Work&& work) {
     }
   if (size <= 4) return work(Shape<4, false>(size, states));
   if (size <= 8) return work(Shape<8, false>(size, states));
-  if (size <= 12) return work(Shape<12, false>(size, states));
   if (size <= 16) return work(Shape<16, false>(size, states));
   return work(Shape<Eigen::Dynamic, false>(size, states));
 }

@@ -6,8 +6,10 @@
 
 #include "centred_library.hpp"
 #include "data/records/known_noise.hpp"
-#include "distinct_powers.hpp"
+#include "fitting_library.hpp"
 #include "lacuna/dynamics/integration/automatic.hpp"
+#include "identify/dead_time/dead_time_search.hpp"
+#include "identify/dead_time/delayed_inputs.hpp"
 #include "identify/forms_beside/identify_with_forms.hpp"
 #include "identify/hidden_state/identify_hidden.hpp"
 #include "identify/validation/validate.hpp"
@@ -70,6 +72,9 @@ RecordStream with_inputs_as_shown(RecordStream records, IdentificationTask& task
   if (!std::all_of(data->trajectories.begin(), data->trajectories.end(), has_inputs))
     return records;
   task.pipeline = with_distinct_powers(task.pipeline, *data, notes);
+  if (task.library == LibraryScope::Extended)
+    task.pipeline = with_determined_terms(task.pipeline, *data,
+                                          task.options.library.samples_per_term, notes);
   const bool is_flow = task.pipeline.formulation->evolution() == Evolution::Flow;
   auto held = is_flow ? with_shown_holds(*data) : std::nullopt;
   return held ? RecordStream(*std::move(held)) : records;
@@ -173,45 +178,126 @@ void warn_of_records(const IdentificationTask& task, IdentificationResult& found
     found.warnings.push_back(hint->message + "; try " + hint->remedy);
 }
 
-}  // namespace
+/// A task and the libraries that it began with.
+struct Prepared {
+  IdentificationTask task;
+  Pipeline chosen;
+  bool is_centred = false;
+};
 
-Identification identify_records(RecordStream records, const IdentificationTask& given,
-                                const RunContext& context) {
-  IdentificationTask task = with_effort(given);
-  std::vector<std::string> notes, centred;
-  records = with_inputs_as_shown(std::move(records), task, notes);
-  const Pipeline chosen = task.pipeline;
-  if (task.measured == Measured::AllStates)
-    task.pipeline = with_centred_library(task.pipeline, records.excerpt(), centred);
+/// Equations, in plain terms.
+Identification plain_equations(RecordStream records, const Prepared& prepared,
+                               const RunContext& context) {
+  const IdentificationTask& task = prepared.task;
   Identification found = find_equations(std::move(records), task, context);
   if (!context.leads()) return found;
   const RunContext alone = context.alone();
   IdentificationResult& result = found.result;
-  if (!centred.empty())
-    result = with_lower_terms(chosen, task.pipeline, found.records, std::move(result),
+  if (prepared.is_centred)
+    result = with_lower_terms(prepared.chosen, task.pipeline, found.records, std::move(result),
                               alone);
   else if (task.measured == Measured::AllStates)
-    result = with_plain_terms(chosen, found.records, std::move(result), alone);
-  for (const auto& sentences : {notes, centred})
-    result.warnings.insert(result.warnings.end(), sentences.begin(), sentences.end());
+    result = with_plain_terms(prepared.chosen, found.records, std::move(result), alone);
+  return found;
+}
+
+/// Whether inputs of a task may act late.
+bool may_act_late(const IdentificationTask& task, const RecordStream& records) {
+  const Dataset* data = records.in_memory();
+  return data != nullptr && data->input_count() > 0 && task.measured == Measured::AllStates &&
+         task.pipeline.formulation->evolution() == Evolution::Flow &&
+         (task.options.dead_time.longest > 0.0 || !task.options.dead_time.given.empty());
+}
+
+/// Equations in inputs that act late, with records of these, where they are better.
+/// @return T of each input; none where all act at once.
+Vector take_dead_times(const Prepared& prepared, Identification& found,
+                       const RunContext& context) {
+  const FindEquations find = [&](const Dataset& data) {
+    IdentificationResult result =
+        plain_equations(RecordStream(data), prepared, context.alone()).result;
+    context.check_stop();
+    return result;
+  };
+  Vector times;
+  const auto search = [&] {
+    const Dataset& data = *found.records.in_memory();
+    auto late = equations_with_dead_times(data, prepared.task.pipeline,
+                                          prepared.task.options.dead_time, found.result, find,
+                                          context);
+    if (!late) return;
+    times = late->times;
+    late->result.stages = std::move(found.result.stages);
+    late->result.dead_times = std::move(late->found);
+    found = {RecordStream(with_inputs_delayed(data, times, times.maxCoeff())),
+             std::move(late->result)};
+  };
+  if (prepared.task.options.dead_time.given.empty())
+    run_unless_quick(prepared.task, found.result, kDeadTimesStage, search);
+  else
+    run_stage(found.result.stages, kDeadTimesStage, search);
+  return times;
+}
+
+/// What equations are worth: on samples that they were not fitted to, and driven by the record.
+void judge_equations(const IdentificationTask& task, Identification& found,
+                     const RunContext& context) {
+  IdentificationResult& result = found.result;
   result.trapping = trapping_region(result.model);
   const bool is_map = result.model.is_map();
   const Dataset& data = is_map ? *found.records.in_memory() : found.records.excerpt();
   warn_of_records(task, result, data);
   std::optional<Dataset> held_out = held_out_records(task, result.model, data);
   try {
-    judge_model(task, std::move(held_out), result, found.records, alone);
+    judge_model(task, std::move(held_out), result, found.records, context);
   } catch (const DataError& error) {
     result.warnings.push_back(std::string("not validated: ") + error.what());
   }
   try {
     if (!is_map)
       run_stage(result.stages, kSynchronisationStage, [&] {
-        found.verification = verify(task, result, found.records, alone);
+        found.verification = verify(task, result, found.records, context);
       });
   } catch (const DataError& error) {
     result.warnings.push_back(std::string("not verified by synchronisation: ") + error.what());
   }
+}
+
+/// A task whose records to judge by have inputs that act as late.
+IdentificationTask with_held_out_delayed(IdentificationTask task, const Vector& times) {
+  if (task.held_out)
+    task.held_out = [read = task.held_out, times](const OdeModel& model) {
+      return with_inputs_delayed(with_input_columns(read(model)), times, times.maxCoeff());
+    };
+  return task;
+}
+
+}  // namespace
+
+Identification identify_records(RecordStream records, const IdentificationTask& given,
+                                const RunContext& context) {
+  Prepared prepared{with_effort(given), given.pipeline};
+  std::vector<std::string> notes, centred;
+  records = with_inputs_as_shown(std::move(records), prepared.task, notes);
+  prepared.chosen = prepared.task.pipeline;
+  if (prepared.task.measured == Measured::AllStates)
+    prepared.task.pipeline =
+        with_centred_library(prepared.task.pipeline, records.excerpt(), centred);
+  prepared.is_centred = !centred.empty();
+  const bool may_be_late = may_act_late(prepared.task, records);
+  Identification found = plain_equations(std::move(records), prepared, context);
+  if (!context.leads()) return found;
+  const RecordStream recorded = found.records;
+  const Vector times = may_be_late ? take_dead_times(prepared, found, context) : Vector();
+  const bool is_late = times.size() > 0;
+  IdentificationResult& result = found.result;
+  for (const auto& sentences : {notes, centred})
+    result.warnings.insert(result.warnings.end(), sentences.begin(), sentences.end());
+  judge_equations(is_late ? with_held_out_delayed(prepared.task, times) : prepared.task, found,
+                  context.alone());
+  if (!is_late) return found;
+  found.records = recorded;
+  result = with_delays_written(std::move(result), times);
   return found;
 }
 

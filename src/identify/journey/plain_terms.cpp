@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include "fitting_library.hpp"
 #include "identify/pipeline/equation_terms.hpp"
 #include "restricted_results.hpp"
 
@@ -43,6 +44,59 @@ std::vector<EquationTerms> terms_with(const IdentificationResult& found, std::si
     all.push_back(std::move(terms));
   }
   return all;
+}
+
+/// The first term of an equation in which an input with two values multiplies a state.
+std::optional<std::string> switched_term(const Equation& equation, const Dataset& data,
+                                         const Variables& variables) {
+  for (const WeightedTerm& summand : equation) {
+    const auto exponents = summand.term.exponents();
+    if (!without_inputs(summand.term, variables)) continue;
+    for (std::size_t j = 0; j < data.inputs.size(); ++j)
+      if ((*exponents)[data.states.size() + j] > 0 &&
+          value_count(data, static_cast<Index>(j), 2) == 2)
+        return summand.term.name();
+  }
+  return std::nullopt;
+}
+
+/// The constant and all variables but time.
+std::vector<std::string> affine_terms(const Variables& variables) {
+  std::vector<std::string> terms{"1"};
+  terms.insert(terms.end(), variables.states.begin(), variables.states.end());
+  terms.insert(terms.end(), variables.inputs.begin(), variables.inputs.end());
+  return terms;
+}
+
+/// The model with an affine equation in the place of one in which a product with an input of two
+/// values stands, where it leaves as little: at a single step Q from rest, T*Q is T but for a
+/// constant.
+std::optional<IdentificationResult> with_an_affine_law(const Pipeline& pipeline,
+                                                       const RecordStream& records,
+                                                       const IdentificationResult& found,
+                                                       const RunContext& context) {
+  const Dataset* data = records.in_memory();
+  if (data == nullptr) return std::nullopt;
+  const Variables variables = found.model.variables();
+  for (std::size_t k = 0; k < found.fit.size(); ++k) {
+    const auto term = switched_term(found.model.equations()[k], *data, variables);
+    if (!term || found.fit[k].identity || context.is_late()) continue;
+    Pipeline other = pipeline;
+    other.equations = terms_with(found, k, "", "");
+    for (EquationTerms& equation : other.equations)
+      if (equation.state == found.model.states()[k].name)
+        equation.terms = affine_terms(variables);
+    IdentificationResult result = identify(records, other, context);
+    if (context.is_late()) return std::nullopt;
+    const double most = std::log(static_cast<double>(std::max<Index>(found.fit[k].rows, 1)));
+    if (!(chi_squared_over(result, found) <= most)) continue;
+    result.warnings.push_back(left_hand_side(found.fit[k].equation, Evolution::Flow) +
+                              ": at two values of an input " + *term +
+                              " cannot be distinguished from a linear law, which was taken");
+    result.stages = found.stages;
+    return result;
+  }
+  return std::nullopt;
 }
 
 std::size_t size_of(const OdeModel& model) {
@@ -83,6 +137,8 @@ IdentificationResult with_plain_terms(const Pipeline& pipeline, const RecordStre
                                       IdentificationResult found, const RunContext& context) {
   if (found.library_alone || !pipeline.equations.empty() || !pipeline.constraints.empty())
     return found;
+  while (auto other = with_an_affine_law(pipeline, records, found, context))
+    found = std::move(*other);
   while (auto other = with_a_plain_term(pipeline, records, found, context))
     found = std::move(*other);
   return found;

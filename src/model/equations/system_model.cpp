@@ -268,7 +268,7 @@ ParametrisedModel SystemModel::parametrised() const {
     for (const WeightedTerm& summand : equation)
       if (delays_depend_on(summand.term.expression(), free))
         throw ModelError("term " + summand.term.name(), "a delay cannot be estimated here",
-                         "make its parameter fixed and try several values");
+                         "estimate it by `lacuna fit`, or make its parameter fixed");
   const OdeModel frame = frame_of_free(*this);
   const VariableIndex variables(frame.variables());
   std::vector<FreeCoefficient> coefficients;
@@ -284,6 +284,23 @@ ParametrisedModel SystemModel::parametrised() const {
                        .with_initial(symbolic_.initial())
                        .with_events(substituted(symbolic_.events(), numbers));
   return {std::move(model), std::move(coefficients), std::move(shapes)};
+}
+
+std::vector<std::size_t> SystemModel::delay_parameters() const {
+  std::vector<std::size_t> found;
+  for (std::size_t i = 0; i < parameters_.size(); ++i) {
+    const Names name{parameters_[i].name};
+    const auto delays = [&](const WeightedTerm& summand) {
+      return delays_depend_on(summand.term.expression(), name);
+    };
+    const auto has_delays = [&](const Equation& equation) {
+      return std::any_of(equation.begin(), equation.end(), delays);
+    };
+    const std::vector<Equation>& equations = symbolic_.equations();
+    if (parameters_[i].free && std::any_of(equations.begin(), equations.end(), has_delays))
+      found.push_back(i);
+  }
+  return found;
 }
 
 std::vector<std::vector<Index>> SystemModel::places_in_parametrised() const {

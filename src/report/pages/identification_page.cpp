@@ -136,6 +136,8 @@ std::vector<std::string> findings_of(const IdentificationResult& result) {
                   : "; trajectories leave the range of numbers";
     sentences.push_back(text + ".");
   }
+  for (const DeadTime& late : result.dead_times)
+    sentences.push_back(dead_time_sentence(late, result.model.time_unit()) + ".");
   if (result.validation)
     sentences.insert(sentences.end(), result.validation->advice.begin(),
                      result.validation->advice.end());

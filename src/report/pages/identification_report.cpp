@@ -108,6 +108,15 @@ Json relation_to_json(const Relation& relation) {
           {"sentence", relation_sentence(relation)}};
 }
 
+Json dead_time_to_json(const DeadTime& late) {
+  Json json{{"input", late.input},
+            {"time", late.time},
+            {"stderr", optional_to_json(late.standard_error)},
+            {"ci95", nullptr}};
+  if (late.ci95) json["ci95"] = *late.ci95;
+  return json;
+}
+
 Json numbers_to_json(const Vector& values) {
   return std::vector<double>(values.begin(), values.end());
 }
@@ -142,6 +151,7 @@ std::string format_json(const IdentificationReport& report) {
   json["model"] = Json::parse(format_model(result.model));
   json["library_alone"] =
       result.library_alone ? Json::parse(format_model(*result.library_alone)) : Json(nullptr);
+  json["dead_times"] = list_to_json(result.dead_times, dead_time_to_json);
   json["noise"] = noise_to_json(result);
   json["pipeline"] = {{"asked", Json::parse(report.asked)},
                       {"used", Json::parse(format_pipeline(report.pipeline))}};

@@ -54,6 +54,14 @@ std::string equations_section(const OdeModel& model, const TextOptions& options)
   return "Equations (in full: --explain, --model-out FILE)\n" + sizes_of_equations(model);
 }
 
+/// "  u acts (0.0100 +- 0.0001) s after it is recorded" of each input that does.
+std::string dead_times_in(const IdentificationResult& result) {
+  std::string text;
+  for (const DeadTime& late : result.dead_times)
+    text += "  " + dead_time_sentence(late, result.model.time_unit()) + "\n";
+  return text;
+}
+
 std::string tested_on(const Validation& validation) {
   const Index windows = validation.windows.windows;
   return "Tested on " + std::to_string(validation.samples) + " samples " +
@@ -136,6 +144,7 @@ std::string first_answer_text(const IdentificationResult& result, const TextOpti
 std::string format_text(const IdentificationReport& report, const TextOptions& options) {
   const std::string first = verdict_section(report) + "\n" +
                             equations_section(report.result.model, options) +
+                            dead_times_in(report.result) +
                             alternatives_section(report);
   if (options.explain) return first + details_text(report, options.digits);
   const std::string left_out = left_out_line(report.result.stages);

@@ -116,4 +116,12 @@ std::string equation_text(const OdeModel& model, Index equation, const Digits& d
   return text + (first ? " 0" : "");
 }
 
+std::string dead_time_sentence(const DeadTime& late, const std::string& time_unit) {
+  const std::string time =
+      late.ci95 ? with_error(late.time, 0.5 * ((*late.ci95)[1] - (*late.ci95)[0]))
+                : format_number(late.time, 6);
+  return late.input + " acts " + time + (time_unit.empty() ? "" : " " + time_unit) +
+         " after it is recorded";
+}
+
 }  // namespace lacuna

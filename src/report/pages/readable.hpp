@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "lacuna/identify/dead_time/dead_times.hpp"
 #include "lacuna/model/equations/rounding.hpp"
 
 namespace lacuna {
@@ -38,5 +39,8 @@ enum class Intervals { Shown, Hidden };
 /// behind the digits shown are left out.
 std::string equation_text(const OdeModel& model, Index equation, const Digits& digits,
                           Intervals intervals);
+
+/// "u acts 0.0100 +- 0.0001 s after it is recorded", the interval of 95 %.
+std::string dead_time_sentence(const DeadTime& late, const std::string& time_unit);
 
 }  // namespace lacuna

@@ -9,6 +9,7 @@
 #include "data/records/check_record.hpp"
 #include "data/records/known_noise.hpp"
 #include "data/records/number_range.hpp"
+#include "delay_fit.hpp"
 #include "fit_answer.hpp"
 #include "fit_numbers.hpp"
 #include "fit_quality.hpp"
@@ -189,10 +190,10 @@ void check_bands(const SystemModel& system, const FitOptions& options) {
                      "leave out the bands");
 }
 
-}  // namespace
-
-Fit fit(const SystemModel& system, const Dataset& records, const Dataset& held_out_records,
-        const FitOptions& options, const RunContext& context) {
+/// A fit of a model whose delays are known.
+Fit fit_known(const SystemModel& system, const Dataset& records,
+              const Dataset& held_out_records, const FitOptions& options,
+              const RunContext& context) {
   const auto [data, held_out] = usable(system, records, held_out_records, options);
   const ParametrisedModel model = system.parametrised();
   FitRecords seen = fit_records(model, data, options.noise);
@@ -226,6 +227,18 @@ Fit fit(const SystemModel& system, const Dataset& records, const Dataset& held_o
   for (const auto* more : {&jumps, &data.notes, &held_out.notes, &left_out})
     result.notes.insert(result.notes.end(), more->begin(), more->end());
   return result;
+}
+
+}  // namespace
+
+Fit fit(const SystemModel& system, const Dataset& records, const Dataset& held_out_records,
+        const FitOptions& options, const RunContext& context) {
+  if (system.delay_parameters().empty())
+    return fit_known(system, records, held_out_records, options, context);
+  return fit_with_delays(system, options, context,
+                         [&](const SystemModel& one, const FitOptions& asked) {
+                           return fit_known(one, records, held_out_records, asked, context);
+                         });
 }
 
 }  // namespace lacuna

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "lacuna/core/base/stages_done.hpp"
+#include "lacuna/identify/dead_time/dead_times.hpp"
 #include "lacuna/identify/forms_beside/form_options.hpp"
 #include "lacuna/identify/validation/advice.hpp"
 #include "lacuna/identify/validation/sync_verdict.hpp"
@@ -11,10 +12,27 @@
 
 namespace lacuna {
 
+/// How large a library of monomials may be.
+struct LibraryOptions {
+  static constexpr StageInfo kInfo{"library", "How large a library of monomials may be", ""};
+
+  double samples_per_term = 2.0;
+
+  void describe(OptionVisitor& v) {
+    v.field({"samples_per_term", "",
+             "Where records have fewer samples than this for each candidate term, monomials of "
+             "the highest degrees are no candidates.",
+             1.0},
+            samples_per_term);
+  }
+};
+
 /// What identify_records() decides besides its pipeline.
 struct IdentificationOptions {
   Thoroughness effort = Thoroughness::Normal;  ///< see identify_records()
+  LibraryOptions library;
   FormOptions forms;
+  DeadTimeOptions dead_time;
   ValidationOptions validation;
   RelationOptions relations;
   AdviceOptions advice;  ///< seeks as `forms` says

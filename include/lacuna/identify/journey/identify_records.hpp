@@ -59,13 +59,15 @@ struct Identification {
 
 /// Names in IdentificationResult::stages besides those of identify().
 inline constexpr const char* kFormsStage = "forms";
+inline constexpr const char* kDeadTimesStage = "dead times";
 inline constexpr const char* kValidationStage = "validation";
 inline constexpr const char* kAdviceStage = "advice";
 inline constexpr const char* kRelationsStage = "relations";
 inline constexpr const char* kSynchronisationStage = "synchronisation";
 
 /// The whole of identify: the pipeline finds equations, basis functions of effects enter where
-/// the library is short of them, the model is driven by the record, judged on samples that it
+/// the library is short of them, inputs act later than they are recorded where equations that do
+/// not fit get better by that (IdentificationOptions::dead_time), the model is driven by the record, judged on samples that it
 /// was not fitted to, and what it lacks is looked for. What cannot be done for want of samples
 /// is a warning of the result.
 /// Each stage leaves a whole answer. Past the deadline of the context those that are left do not

@@ -8,6 +8,7 @@
 #include "lacuna/core/base/stages_done.hpp"
 #include "lacuna/core/base/types.hpp"
 #include "lacuna/dynamics/attractor/trapping_region.hpp"
+#include "lacuna/identify/dead_time/dead_times.hpp"
 #include "lacuna/identify/pipeline/validation.hpp"
 #include "lacuna/model/equations/ode_model.hpp"
 #include "lacuna/model/invariants/relations.hpp"
@@ -62,6 +63,7 @@ struct IdentificationResult {
   std::vector<TrailEntry> trail;      ///< every candidate term that an equation had
   std::vector<PathStep> path;         ///< models of each equation, where the refiner made them
   std::vector<std::string> warnings;  ///< what a user should know: an empty equation, ...
+  std::vector<DeadTime> dead_times = {};  ///< of the inputs that act late
   /// What the library alone gives, where forms beside it were taken in.
   std::optional<OdeModel> library_alone = {};
   /// What the model is worth on samples that it was not fitted to, where that was looked at;

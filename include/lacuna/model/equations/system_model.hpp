@@ -67,6 +67,9 @@ class SystemModel {
   /// @throws ModelError for a free parameter on which a delay depends.
   ParametrisedModel parametrised() const;
 
+  /// Free parameters on which a delay depends, by their numbers: fit() alone estimates them.
+  std::vector<std::size_t> delay_parameters() const;
+
   /// Which summand of parametrised() each summand of each equation has become.
   std::vector<std::vector<Index>> places_in_parametrised() const;
 

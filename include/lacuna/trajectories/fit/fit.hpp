@@ -248,6 +248,8 @@ std::string sentence_of(const FitStanding& standing);
 /// has no interval but a limit on the other side. Numbers that the records determine in
 /// combination only, or not at all, are named. What is known of a parameter before
 /// (Parameter::deviation, of a normal distribution) is part of the likelihood.
+/// Parameters on which delays depend are estimated outside of all others, by the profile of the
+/// likelihood over their ranges.
 /// What a deadline of the context ends is left out: other starts, then profiles.
 /// Same input and seed, same result where no deadline came first.
 /// @param data, held_out in the variables of the model, as of read_records().

@@ -7,6 +7,7 @@
 #include "lacuna/data/records/marks.hpp"
 #include "lacuna/records/binding/model_view.hpp"
 #include "run_bands.hpp"
+#include "trajectories/fit/delay_fit.hpp"
 
 namespace lacuna {
 namespace {
@@ -54,7 +55,7 @@ std::vector<FitBands> predict(const Fit& fit, const Dataset& conditions) {
   check_columns(conditions, "predict");
   const Dataset data =
       with_event_rows(begun_at(conditions, symbolic.initial_time()), symbolic);
-  const ParametrisedModel model = fit.model.parametrised();
+  const ParametrisedModel model = with_delays_held(fit.model).parametrised();
   const auto records = static_cast<Index>(data.trajectories.size());
   const Index m = symbolic.dimension(), p = model.size();
   FitPoint point{model.values().transpose().replicate(records, 1), Matrix(records, m)};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "identify/journey/distinct_powers.hpp"
+#include "identify/journey/fitting_library.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

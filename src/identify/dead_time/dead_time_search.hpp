@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+// Inputs that act later than they are recorded.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "lacuna/identify/dead_time/dead_times.hpp"
+#include "lacuna/identify/pipeline/pipeline.hpp"
+
+namespace lacuna {
+
+/// Equations of records, found as a task asks for.
+using FindEquations = std::function<IdentificationResult(const Dataset&)>;
+
+/// Equations in which inputs act late.
+struct LateEquations {
+  Vector times;                 ///< T of each input, 0 of one that acts at once
+  std::vector<DeadTime> found;  ///< of the inputs that act late
+  IdentificationResult result;  ///< in the inputs that act (with_inputs_delayed())
+};
+
+/// Equations with given dead times, and with those of other inputs where they make the
+/// equations better: whole steps by rows of derivatives (screened_dead_times()), then by the
+/// likelihood of free runs of the model that was found with them (fit()). Better is what has the
+/// smaller free_run_criterion(), a time counted as a coefficient; no interval of a time may
+/// reach 0.
+/// @param at_once equations without dead times; not asked for where they are given for all
+///   inputs.
+/// @return nothing where all inputs act at once.
+/// @throws ConfigError for a given input that the records lack, or a time that is negative or
+///   longer than half of every record.
+std::optional<LateEquations> equations_with_dead_times(const Dataset& data,
+                                                       const Pipeline& pipeline,
+                                                       const DeadTimeOptions& options,
+                                                       const IdentificationResult& at_once,
+                                                       const FindEquations& find,
+                                                       const RunContext& context);
+
+}  // namespace lacuna

@@ -1,0 +1,231 @@
+// SPDX-License-Identifier: MIT
+#include "delay_fit.hpp"
+
+#include <algorithm>
+#include <boost/math/tools/minima.hpp>
+#include <cmath>
+#include <utility>
+
+#include "lacuna/core/base/error.hpp"
+#include "lacuna/core/statistics/interval.hpp"
+
+namespace lacuna {
+namespace {
+
+SystemModel with_value(const SystemModel& system, std::size_t parameter, double value) {
+  std::vector<Parameter> parameters = system.parameters();
+  parameters[parameter].value = value;
+  return {system.symbolic(), std::move(parameters)};
+}
+
+/// Where a delay is sought.
+struct DelayRange {
+  double low = 0.0, high = 0.0;
+};
+
+DelayRange range_of(const Parameter& delay) {
+  constexpr double kReach = 4.0;  // times what was given, where nobody gave a range
+  return {std::max(delay.min.value_or(0.0), 0.0), delay.max.value_or(kReach * delay.value)};
+}
+
+/// One fit and what it is worth.
+struct Tried {
+  double value = 0.0;
+  double deviance = INFINITY;  ///< -2 log likelihood
+  std::vector<FittedParameter> numbers = {};
+};
+
+/// The profile of the likelihood over one delay. Each fit begins at the numbers of the best so far.
+class DelayProfile {
+ public:
+  DelayProfile(SystemModel system, std::size_t parameter, const FitOptions& options,
+               const RunContext& context, const FitOfKnownDelays& fit_known)
+      : system_(std::move(system)),
+        parameter_(parameter),
+        options_(options),
+        context_(context),
+        fit_known_(fit_known) {
+    options_.rough = true;
+    options_.restarts = 0;
+    options_.starts = 0;
+    options_.effort = Thoroughness::Quick;
+    options_.profile = options_.bands = false;
+  }
+
+  const SystemModel& best_system() const { return system_; }
+  const Tried& best() const { return best_; }
+
+  Tried at(double value) {
+    context_.check_stop();
+    const Parameter& delay = system_.parameters()[parameter_];
+    Tried tried{value};
+    try {
+      const Fit fit = fit_known_(with_delays_held(with_value(system_, parameter_, value)), options_);
+      tried.deviance = -2.0 * fit.log_likelihood;
+      if (delay.deviation)
+        tried.deviance += std::pow((value - given_of(delay)) / *delay.deviation, 2);
+      tried.numbers = fit.numbers;
+      if (tried.deviance < best_.deviance) {
+        best_ = tried;
+        system_ = with_estimates(fit.model, value);
+      }
+    } catch (const DataError&) {
+      // no free run is finite with this delay
+    }
+    return tried;
+  }
+
+ private:
+  /// What was known of it before any record was seen.
+  double given_of(const Parameter& delay) {
+    if (!given_) given_ = delay.value;
+    return *given_;
+  }
+
+  /// The numbers of a fit in the system whose delays are free.
+  SystemModel with_estimates(const SystemModel& fitted, double value) const {
+    std::vector<Parameter> parameters = system_.parameters();
+    for (std::size_t i = 0; i < parameters.size(); ++i)
+      if (fitted.parameters()[i].free) parameters[i].value = fitted.parameters()[i].value;
+    parameters[parameter_].value = value;
+    return {fitted.symbolic(), std::move(parameters)};
+  }
+
+  SystemModel system_;
+  std::size_t parameter_;
+  FitOptions options_;
+  const RunContext& context_;
+  const FitOfKnownDelays& fit_known_;
+  Tried best_;
+  std::optional<double> given_;
+};
+
+/// A delay at its best, and what the others do about it.
+struct KnownDelay {
+  double error = INFINITY;        ///< standard error
+  std::vector<double> slopes = {};  ///< d number / d delay of the other numbers
+};
+
+/// Between the neighbours of the best point of a grid.
+void search_range(DelayProfile& profile, const DelayRange& range, double given) {
+  constexpr int kPoints = 12, kBits = 12;  // of the grid, and of the minimum between neighbours
+  const double apart = (range.high - range.low) / kPoints;
+  profile.at(given);
+  for (int i = 0; i <= kPoints; ++i) profile.at(range.low + i * apart);
+  const double low = std::max(range.low, profile.best().value - apart);
+  const double high = std::min(range.high, profile.best().value + apart);
+  boost::math::tools::brent_find_minima([&](double value) { return profile.at(value).deviance; },
+                                        low, high, kBits);
+}
+
+/// By the parabola through two points at which the deviance is about one higher.
+KnownDelay known_at(DelayProfile& profile, const DelayRange& range) {
+  constexpr int kTurns = 3;
+  KnownDelay known;
+  double away = 1e-3 * (range.high - range.low);
+  for (int turn = 0; turn < kTurns; ++turn) {
+    const Tried best = profile.best();
+    away = std::min({away, best.value - range.low, range.high - best.value});
+    if (!(away > 0.0)) return known;  // at an end of the range
+    const Tried less = profile.at(best.value - away), more = profile.at(best.value + away);
+    const double bend = less.deviance + more.deviance - 2.0 * profile.best().deviance;
+    if (!(bend > 0.0) || !std::isfinite(bend)) return known;
+    known.error = away * std::sqrt(2.0 / bend);
+    known.slopes.clear();
+    for (std::size_t i = 0; i < best.numbers.size(); ++i)
+      known.slopes.push_back((more.numbers[i].value - less.numbers[i].value) / (2.0 * away));
+    if (std::abs(std::log(away / known.error)) < std::log(2.0)) break;
+    away = known.error;
+  }
+  return known;
+}
+
+/// A number whose interval holds what a delay adds.
+void widen(double added, FittedParameter& number) {
+  if (number.standard_error) number.standard_error = std::hypot(*number.standard_error, added);
+  if (!number.ci95) return;
+  const double more = kNormalQuantile975 * added;
+  auto& [low, high] = *number.ci95;
+  low = number.value - std::hypot(number.value - low, more);
+  high = number.value + std::hypot(high - number.value, more);
+}
+
+FittedParameter fitted_delay(const Parameter& given, double value, const DelayRange& range,
+                             double error) {
+  FittedParameter number{
+      .name = given.name, .unit = given.unit, .start = given.value, .value = value};
+  const double near = 1e-3 * (range.high - range.low);
+  if (given.min && value - range.low < near) number.bound = "min";
+  if (given.max && range.high - value < near) number.bound = "max";
+  if (!std::isfinite(error)) return number;
+  number.standard_error = error;
+  number.ci95 = interval95(value, error);
+  (*number.ci95)[0] = std::max((*number.ci95)[0], range.low);
+  return number;
+}
+
+/// The place of a parameter among the fitted numbers: behind coefficients and free parameters
+/// that come before it.
+std::size_t place_of(const Fit& fit, const SystemModel& system, std::size_t parameter) {
+  std::size_t free = 0, before = 0;
+  for (std::size_t i = 0; i < system.parameters().size(); ++i) {
+    const bool is_number = fit.model.parameters()[i].free;
+    free += is_number;
+    before += is_number && i < parameter;
+  }
+  return fit.numbers.size() - free + before;
+}
+
+}  // namespace
+
+SystemModel with_delays_held(const SystemModel& system) {
+  std::vector<Parameter> parameters = system.parameters();
+  for (const std::size_t i : system.delay_parameters()) parameters[i].free = false;
+  return {system.symbolic(), std::move(parameters)};
+}
+
+Fit fit_with_delays(const SystemModel& system, const FitOptions& options,
+                    const RunContext& context, const FitOfKnownDelays& fit_known) {
+  constexpr int kRounds = 3;  // a bound: delays that go to and fro
+  const std::vector<std::size_t> delays = system.delay_parameters();
+  for (const std::size_t i : delays)
+    if (system.parameters()[i].per_record || system.parameters()[i].varies)
+      throw ModelError("parameter " + system.parameters()[i].name,
+                       "a delay that differs from record to record cannot be estimated",
+                       "let all records share it, or fit them one by one");
+  SystemModel best = system;
+  std::vector<KnownDelay> known(delays.size());
+  for (int round = 0; round < (delays.size() > 1 ? kRounds : 1); ++round) {
+    bool moved = false;
+    for (std::size_t d = 0; d < delays.size(); ++d) {
+      const DelayRange range = range_of(system.parameters()[delays[d]]);
+      const double before = best.parameters()[delays[d]].value;
+      DelayProfile profile(best, delays[d], options, context, fit_known);
+      search_range(profile, range, before);
+      known[d] = known_at(profile, range);
+      best = profile.best_system();
+      moved = moved || std::abs(profile.best().value - before) > 0.1 * known[d].error;
+    }
+    if (!moved) break;
+  }
+  Fit result = fit_known(with_delays_held(best), options);
+  std::vector<Parameter> parameters = result.model.parameters();
+  for (std::size_t d = 0; d < delays.size(); ++d)
+    for (std::size_t i = 0; i < known[d].slopes.size(); ++i)
+      widen(std::abs(known[d].slopes[i]) * known[d].error, result.numbers[i]);
+  for (std::size_t d = 0; d < delays.size(); ++d) {
+    const Parameter& given = system.parameters()[delays[d]];
+    FittedParameter number = fitted_delay(given, best.parameters()[delays[d]].value,
+                                          range_of(given), known[d].error);
+    parameters[delays[d]].free = true;
+    parameters[delays[d]].deviation.reset();
+    parameters[delays[d]].standard_error = number.standard_error;
+    parameters[delays[d]].ci95 = number.ci95;
+    const auto place = static_cast<std::ptrdiff_t>(place_of(result, system, delays[d]));
+    result.numbers.insert(result.numbers.begin() + place, std::move(number));
+    result.model = {result.model.symbolic(), parameters};
+  }
+  return result;
+}
+
+}  // namespace lacuna
