@@ -7,9 +7,8 @@
 #include <utility>
 
 #include "core/base/text.hpp"
-#include "core/statistics/information.hpp"
 #include "delayed_inputs.hpp"
-#include "identify/validation/free_run_criterion.hpp"
+#include "identify/plain_structure/free_run.hpp"
 #include "identify/validation/held_blocks.hpp"
 #include "identify/validation/refit.hpp"
 #include "lacuna/core/base/error.hpp"
@@ -19,26 +18,6 @@
 
 namespace lacuna {
 namespace {
-
-using GivenTimes = std::vector<std::optional<double>>;
-
-/// What is known of each input of the records.
-GivenTimes given_times(const Dataset& data, const DeadTimeOptions& options) {
-  GivenTimes given(data.inputs.size());
-  for (const DeadTime& one : options.given) {
-    const auto at = std::find_if(data.inputs.begin(), data.inputs.end(),
-                                 [&](const Quantity& input) { return input.name == one.input; });
-    if (at == data.inputs.end())
-      throw ConfigError("dead time of " + one.input, "the records have no such input",
-                        "name one of the inputs");
-    if (!(one.time >= 0.0) || one.time > 0.5 * longest_record(data).duration())
-      throw ConfigError("dead time of " + one.input,
-                        "it is not between 0 and half of the longest record",
-                        "give it in the time unit of the record");
-    given[static_cast<std::size_t>(at - data.inputs.begin())] = one.time;
-  }
-  return given;
-}
 
 /// To two digits of its error.
 double readable(double time, double error) {
@@ -81,16 +60,43 @@ SystemModel with_free_times(const OdeModel& model, const Vector& times, const Gi
   return {frame.with_equations(std::move(equations)), std::move(parameters)};
 }
 
-/// The dead times of a model as its free runs have them; where these depart from the records those
-/// that are there, in whole steps.
-std::vector<DeadTime> refined(const Dataset& data, const IdentificationResult& found,
-                              const Vector& times, const GivenTimes& given,
-                              const RunContext& context) {
+/// The equations of a result with the coefficients that other records give them.
+void move_to(const Dataset& data, const Pipeline& pipeline, IdentificationResult& result,
+             const RunContext& context) {
+  auto moved = refitted_result_on(data, result.model, pipeline, context);
+  if (!moved) return;
+  result.model = std::move(moved->model);
+  result.fit = std::move(moved->fit);
+  result.noise = std::move(moved->noise);
+}
+
+}  // namespace
+
+GivenTimes given_times(const Dataset& data, const DeadTimeOptions& options) {
+  GivenTimes given(data.inputs.size());
+  for (const DeadTime& one : options.given) {
+    const auto at = std::find_if(data.inputs.begin(), data.inputs.end(),
+                                 [&](const Quantity& input) { return input.name == one.input; });
+    if (at == data.inputs.end())
+      throw ConfigError("dead time of " + one.input, "the records have no such input",
+                        "name one of the inputs");
+    if (!(one.time >= 0.0) || one.time > 0.5 * longest_record(data).duration())
+      throw ConfigError("dead time of " + one.input,
+                        "it is not between 0 and half of the longest record",
+                        "give it in the time unit of the record");
+    given[static_cast<std::size_t>(at - data.inputs.begin())] = one.time;
+  }
+  return given;
+}
+
+std::vector<DeadTime> refined_dead_times(const Dataset& data, const OdeModel& model,
+                                         const Vector& times, const GivenTimes& given,
+                                         const RunContext& context) {
   constexpr Index kSamples = 10000;  // a bound of the work
   const double step = median_step(data);
   std::vector<FittedParameter> numbers;
   try {
-    numbers = fit(with_free_times(found.model, times, given, step), thinned(data, kSamples), {},
+    numbers = fit(with_free_times(model, times, given, step), thinned(data, kSamples), {},
                   {.restarts = 0, .starts = 0, .effort = Thoroughness::Quick, .rough = true},
                   context)
                   .numbers;
@@ -115,24 +121,12 @@ std::vector<DeadTime> refined(const Dataset& data, const IdentificationResult& f
   return refined;
 }
 
-/// Whether each time that was found is more than its uncertainty.
 bool are_determined(const std::vector<DeadTime>& found) {
   return std::all_of(found.begin(), found.end(), [](const DeadTime& late) {
     return !late.ci95 || (*late.ci95)[0] > 0.0;
   });
 }
 
-/// The equations of a result with the coefficients that other records give them.
-void move_to(const Dataset& data, const Pipeline& pipeline, IdentificationResult& result,
-             const RunContext& context) {
-  auto moved = refitted_result_on(data, result.model, pipeline, context);
-  if (!moved) return;
-  result.model = std::move(moved->model);
-  result.fit = std::move(moved->fit);
-  result.noise = std::move(moved->noise);
-}
-
-/// Times of all inputs, 0 of those that act at once.
 Vector times_of(const Dataset& data, const std::vector<DeadTime>& found) {
   Vector times = Vector::Zero(data.input_count());
   for (const DeadTime& late : found)
@@ -140,8 +134,6 @@ Vector times_of(const Dataset& data, const std::vector<DeadTime>& found) {
       if (data.inputs[static_cast<std::size_t>(j)].name == late.input) times[j] = late.time;
   return times;
 }
-
-}  // namespace
 
 std::optional<LateEquations> equations_with_dead_times(const Dataset& data,
                                                        const Pipeline& pipeline,
@@ -160,7 +152,7 @@ std::optional<LateEquations> equations_with_dead_times(const Dataset& data,
   if (times.maxCoeff() <= 0.0) return std::nullopt;
   const double without = times.maxCoeff() + 2.0 * median_step(data);  // what refining may add
   LateEquations late{times, {}, find(with_inputs_delayed(data, times, without))};
-  late.found = refined(data, late.result, times, given, context);
+  late.found = refined_dead_times(data, late.result.model, times, given, context);
   if (!are_determined(late.found)) return std::nullopt;
   if (const Vector better = times_of(data, late.found); better != late.times) {
     late.times = better;
@@ -168,14 +160,14 @@ std::optional<LateEquations> equations_with_dead_times(const Dataset& data,
             late.result, context);
   }
   if (all_given) return late;
-  const auto criterion = [&](const OdeModel& model, const Vector& delays) {
-    return free_run_criterion(model, with_inputs_delayed(data, delays, without), context);
+  const auto run = [&](const OdeModel& model, const Vector& delays) {
+    return free_run(SystemModel(model), with_inputs_delayed(data, delays, without), context);
   };
-  const double price = parameter_penalty(static_cast<double>(data.samples())) *
-                       static_cast<double>(late.found.size());
-  const bool is_better = criterion(late.result.model, late.times) + price <
-                         criterion(at_once.model, Vector::Zero(data.input_count()));
-  return is_better ? std::optional(std::move(late)) : std::nullopt;
+  FreeRun with = run(late.result.model, late.times);
+  with.numbers += late.found.size();
+  return is_better(with, run(at_once.model, Vector::Zero(data.input_count())))
+             ? std::optional(std::move(late))
+             : std::nullopt;
 }
 
 }  // namespace lacuna

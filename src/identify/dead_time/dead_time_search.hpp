@@ -21,11 +21,29 @@ struct LateEquations {
   IdentificationResult result;  ///< in the inputs that act (with_inputs_delayed())
 };
 
+/// What is known of the dead time of each input.
+using GivenTimes = std::vector<std::optional<double>>;
+
+/// @throws ConfigError as equations_with_dead_times().
+GivenTimes given_times(const Dataset& data, const DeadTimeOptions& options);
+
+/// The dead times of a model as its free runs have them (fit()); where these depart from the
+/// records those that are there, in whole steps.
+/// @param model in inputs that act, its coefficients as the fits begin. @param times of each input.
+std::vector<DeadTime> refined_dead_times(const Dataset& data, const OdeModel& model,
+                                         const Vector& times, const GivenTimes& given,
+                                         const RunContext& context);
+
+/// T of each input, 0 of those that act at once.
+Vector times_of(const Dataset& data, const std::vector<DeadTime>& found);
+
+/// Whether each time that was found is more than its uncertainty.
+bool are_determined(const std::vector<DeadTime>& found);
+
 /// Equations with given dead times, and with those of other inputs where they make the
 /// equations better: whole steps by rows of derivatives (screened_dead_times()), then by the
-/// likelihood of free runs of the model that was found with them (fit()). Better is what has the
-/// smaller free_run_criterion(), a time counted as a coefficient; no interval of a time may
-/// reach 0.
+/// likelihood of free runs of the model that was found with them (fit()). Better is by
+/// is_better() of free runs, a time counted as a coefficient; no interval of a time may reach 0.
 /// @param at_once equations without dead times; not asked for where they are given for all
 ///   inputs.
 /// @return nothing where all inputs act at once.

@@ -6,7 +6,7 @@
 #include <map>
 #include <numeric>
 
-#include "averaged_records.hpp"
+#include "identify/plain_structure/averaged_records.hpp"
 #include "delayed_inputs.hpp"
 #include "identify/pipeline/equation_terms.hpp"
 #include "identify/validation/held_blocks.hpp"

@@ -12,6 +12,7 @@
 #include "identify/dead_time/delayed_inputs.hpp"
 #include "identify/forms_beside/identify_with_forms.hpp"
 #include "identify/hidden_state/identify_hidden.hpp"
+#include "identify/plain_structure/plain_equations.hpp"
 #include "identify/validation/validate.hpp"
 #include "lower_terms.hpp"
 #include "plain_terms.hpp"
@@ -142,28 +143,41 @@ bool falls_short(const Validation& validation) {
          validation.verdict == ValidationVerdict::WrongLibrary;
 }
 
-/// Judges a model on samples that it was not fitted to, and looks for what else the data hold.
+/// A model judged on samples that it was not fitted to.
 /// @throws DataError where they are too few for that.
-void judge_model(const IdentificationTask& task, std::optional<Dataset> held_out,
-                 IdentificationResult& found, const RecordStream& records,
-                 const RunContext& context) {
-  const bool is_map = found.model.is_map();
-  const Dataset& data = is_map ? *records.in_memory() : records.excerpt();
-  const KnownNoise noise = is_map ? std::nullopt : KnownNoise(records.noise(context.threads));
+std::optional<Validation> validated(const IdentificationTask& task, Identification& found,
+                                    const RunContext& context) {
+  IdentificationResult& result = found.result;
+  const bool is_map = result.model.is_map();
+  const Dataset& data = is_map ? *found.records.in_memory() : found.records.excerpt();
+  std::optional<Dataset> held_out = held_out_records(task, result.model, data);
+  const KnownNoise noise =
+      is_map ? std::nullopt : KnownNoise(found.records.noise(context.threads));
   std::optional<Validation> validation;
-  run_stage(found.stages, kValidationStage, [&] {
-    validation = validate({found, data, task.pipeline, std::move(held_out), noise},
+  run_stage(result.stages, kValidationStage, [&] {
+    validation = validate({result, data, task.pipeline, std::move(held_out), noise},
                           task.options.validation, context);
   });
+  return validation;
+}
+
+/// What else the data hold.
+void look_further(const IdentificationTask& task, std::optional<Validation> validation,
+                  Identification& found, const RunContext& context) {
+  IdentificationResult& result = found.result;
+  const bool is_map = result.model.is_map();
+  const Dataset& data = is_map ? *found.records.in_memory() : found.records.excerpt();
+  const KnownNoise noise =
+      is_map ? std::nullopt : KnownNoise(found.records.noise(context.threads));
   if (validation && falls_short(*validation) && !is_map)
-    run_unless_quick(task, found, kAdviceStage, [&] {
-      validation->advice = advice_for({found, data, task.effects, white_noise(*noise)},
+    run_unless_quick(task, result, kAdviceStage, [&] {
+      validation->advice = advice_for({result, data, task.effects, white_noise(*noise)},
                                       task.options.advice, context);
     });
-  if (validation) take_in(*std::move(validation), data, found);
+  if (validation) take_in(*std::move(validation), data, result);
   if (!is_map)
-    run_unless_quick(task, found, kRelationsStage, [&] {
-      found.relations = find_relations(data, task.options.relations, context, noise);
+    run_unless_quick(task, result, kRelationsStage, [&] {
+      result.relations = find_relations(data, task.options.relations, context, noise);
     });
 }
 
@@ -239,30 +253,6 @@ Vector take_dead_times(const Prepared& prepared, Identification& found,
   return times;
 }
 
-/// What equations are worth: on samples that they were not fitted to, and driven by the record.
-void judge_equations(const IdentificationTask& task, Identification& found,
-                     const RunContext& context) {
-  IdentificationResult& result = found.result;
-  result.trapping = trapping_region(result.model);
-  const bool is_map = result.model.is_map();
-  const Dataset& data = is_map ? *found.records.in_memory() : found.records.excerpt();
-  warn_of_records(task, result, data);
-  std::optional<Dataset> held_out = held_out_records(task, result.model, data);
-  try {
-    judge_model(task, std::move(held_out), result, found.records, context);
-  } catch (const DataError& error) {
-    result.warnings.push_back(std::string("not validated: ") + error.what());
-  }
-  try {
-    if (!is_map)
-      run_stage(result.stages, kSynchronisationStage, [&] {
-        found.verification = verify(task, result, found.records, context);
-      });
-  } catch (const DataError& error) {
-    result.warnings.push_back(std::string("not verified by synchronisation: ") + error.what());
-  }
-}
-
 /// A task whose records to judge by have inputs that act as late.
 IdentificationTask with_held_out_delayed(IdentificationTask task, const Vector& times) {
   if (task.held_out)
@@ -270,6 +260,64 @@ IdentificationTask with_held_out_delayed(IdentificationTask task, const Vector& 
       return with_inputs_delayed(with_input_columns(read(model)), times, times.maxCoeff());
     };
   return task;
+}
+
+/// A plain structure in the place of equations that do not predict, where its free runs are better.
+/// @param times T of each input, as it was found before; changed with the equations.
+/// @return whether equations were replaced.
+bool take_plain_structure(const Prepared& prepared, const RecordStream& recorded,
+                          Identification& found, Vector& times, const RunContext& context) {
+  const Dataset* data = recorded.in_memory();
+  if (data == nullptr || prepared.task.measured != Measured::AllStates ||
+      prepared.task.library != LibraryScope::Extended || found.result.model.is_map() ||
+      !free_runs_decide(*data))
+    return false;
+  bool is_taken = false;
+  run_unless_quick(prepared.task, found.result, kPlainStructureStage, [&] {
+    auto plain =
+        plain_equations(*data, prepared.chosen, prepared.task.options.dead_time,
+                        {found.result, times, found.result.dead_times}, context);
+    if (!plain) return;
+    plain->result.stages = std::move(found.result.stages);
+    plain->result.dead_times = std::move(plain->found);
+    times = plain->times.size() > 0 && plain->times.maxCoeff() > 0.0 ? plain->times : Vector();
+    found = {times.size() > 0
+                 ? RecordStream(with_inputs_delayed(*data, times, times.maxCoeff()))
+                 : recorded,
+             std::move(plain->result)};
+    is_taken = true;
+  });
+  return is_taken;
+}
+
+/// What equations are worth: on samples that they were not fitted to, and driven by the record.
+void judge_equations(const Prepared& prepared, const RecordStream& recorded,
+                     Identification& found, Vector& times, const RunContext& context) {
+  const auto task = [&] {
+    return times.size() > 0 ? with_held_out_delayed(prepared.task, times) : prepared.task;
+  };
+  try {
+    std::optional<Validation> validation = validated(task(), found, context);
+    if (validation && falls_short(*validation) &&
+        take_plain_structure(prepared, recorded, found, times, context)) {
+      std::erase_if(found.result.stages, [](const StageDone& stage) {
+        return stage.name == kValidationStage;
+      });
+      validation = validated(task(), found, context);
+    }
+    look_further(task(), std::move(validation), found, context);
+  } catch (const DataError& error) {
+    found.result.warnings.push_back(std::string("not validated: ") + error.what());
+  }
+  try {
+    if (!found.result.model.is_map())
+      run_stage(found.result.stages, kSynchronisationStage, [&] {
+        found.verification = verify(task(), found.result, found.records, context);
+      });
+  } catch (const DataError& error) {
+    found.result.warnings.push_back(std::string("not verified by synchronisation: ") +
+                                    error.what());
+  }
 }
 
 }  // namespace
@@ -288,16 +336,17 @@ Identification identify_records(RecordStream records, const IdentificationTask& 
   Identification found = plain_equations(std::move(records), prepared, context);
   if (!context.leads()) return found;
   const RecordStream recorded = found.records;
-  const Vector times = may_be_late ? take_dead_times(prepared, found, context) : Vector();
-  const bool is_late = times.size() > 0;
+  Vector times = may_be_late ? take_dead_times(prepared, found, context) : Vector();
+  judge_equations(prepared, recorded, found, times, context.alone());
   IdentificationResult& result = found.result;
-  for (const auto& sentences : {notes, centred})
-    result.warnings.insert(result.warnings.end(), sentences.begin(), sentences.end());
-  judge_equations(is_late ? with_held_out_delayed(prepared.task, times) : prepared.task, found,
-                  context.alone());
-  if (!is_late) return found;
+  for (const auto& sentences : {centred, notes})
+    result.warnings.insert(result.warnings.begin(), sentences.begin(), sentences.end());
+  result.trapping = trapping_region(result.model);
+  const bool is_map = result.model.is_map();
+  warn_of_records(prepared.task, result,
+                  is_map ? *found.records.in_memory() : found.records.excerpt());
   found.records = recorded;
-  result = with_delays_written(std::move(result), times);
+  if (times.size() > 0) result = with_delays_written(std::move(result), times);
   return found;
 }
 

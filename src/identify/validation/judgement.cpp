@@ -197,6 +197,9 @@ Opinion opinion_of(const Findings& found, const ValidationOptions& options,
   if (found.above > 0 && found.fraction > options.wrong_fraction)
     return {ValidationVerdict::WrongLibrary, "Wrong library",
             "these terms cannot describe the record; " + numbers, Adequate::No};
+  if (found.above > 0 && found.fraction < options.small_fraction)
+    return {ValidationVerdict::Approximation,
+            "Fits, but for " + percent_of(found.fraction, "the motion"), numbers, Adequate::No};
   if (found.above > 0)
     return {ValidationVerdict::Approximation, "An approximation", numbers, Adequate::No};
   if (found.within + found.hidden == 0)

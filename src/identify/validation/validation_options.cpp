@@ -59,6 +59,10 @@ void ValidationOptions::describe(OptionVisitor& v) {
        "that made a record without noise, of its digits and of the interpolation of inputs.",
        0.0, 1.0},
       resolution);
+  v.field({"small_share", "",
+           "An error of a smaller fraction of the motion is what the model fits but for.", 0.0,
+           1.0},
+          small_fraction);
   v.field({"wrong_share", "",
            "An error of a larger fraction of the motion is no approximation.", 0.0, 1.0},
           wrong_fraction);

@@ -60,6 +60,7 @@ struct Identification {
 /// Names in IdentificationResult::stages besides those of identify().
 inline constexpr const char* kFormsStage = "forms";
 inline constexpr const char* kDeadTimesStage = "dead times";
+inline constexpr const char* kPlainStructureStage = "plain structure";
 inline constexpr const char* kValidationStage = "validation";
 inline constexpr const char* kAdviceStage = "advice";
 inline constexpr const char* kRelationsStage = "relations";

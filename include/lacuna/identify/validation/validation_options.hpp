@@ -15,7 +15,8 @@ struct ValidationOptions {
   double scatter = 4.0;
   double structure = 2.0;
   double resolution = 2e-4;
-  double wrong_fraction = 0.1;
+  double small_fraction = 0.01;
+  double wrong_fraction = 0.2;
   int least_freedom = 30;
 
   int held_every = 4;

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+#include "free_run.hpp"
+
+#include <algorithm>
+#include <vector>
+
+#include "core/statistics/information.hpp"
+#include "identify/validation/held_blocks.hpp"
+#include "lacuna/core/base/error.hpp"
+#include "lacuna/trajectories/fit/fit.hpp"
+
+namespace lacuna {
+namespace {
+
+/// Of how many samples of white noise the residuals of a run are worth, all channels together.
+double independent_samples(const Fit& run) {
+  double squares = 0.0, products = 0.0, count = 0.0;
+  for (const FitRun& record : run.runs) {
+    const Matrix residual = record.measured - record.model;
+    for (Index k = 0; k < residual.cols(); ++k) {
+      std::vector<double> values;
+      for (const double value : residual.col(k))
+        if (std::isfinite(value)) values.push_back(value);
+      const double scale = run.quality[static_cast<std::size_t>(k)].rmse;
+      if (values.empty() || !(scale > 0.0)) continue;
+      count += static_cast<double>(values.size());
+      for (std::size_t i = 0; i < values.size(); ++i) {
+        squares += values[i] * values[i] / (scale * scale);
+        if (i > 0) products += values[i] * values[i - 1] / (scale * scale);
+      }
+    }
+  }
+  const double rho = squares > 0.0 ? std::max(0.0, products / squares) : 0.0;
+  constexpr double kFewest = 3.0;  // below, ln n is no price
+  return std::max(kFewest, count * (1.0 - rho) / (1.0 + rho));
+}
+
+}  // namespace
+
+FreeRun free_run(const SystemModel& system, const Dataset& data, const RunContext& context) {
+  constexpr Index kSamples = 10000;  // a bound of the work
+  const Dataset records = thinned(data, kSamples);
+  try {
+    const Fit run = fit(system, records, {},
+                        {.restarts = 0, .starts = 0, .effort = Thoroughness::Quick, .rough = true},
+                        context);
+    FreeRun result{run.model, -2.0 * run.log_likelihood, independent_samples(run),
+                   run.numbers.size()};
+    for (const FittedParameter& number : run.numbers)
+      result.significance.push_back(
+          number.standard_error ? std::abs(number.value / *number.standard_error) : 0.0);
+    result.samples = static_cast<double>(records.samples());
+    result.independent /= result.samples;
+    return result;
+  } catch (const DataError&) {
+    return {system};
+  }
+}
+
+bool is_worth(const FreeRun& more, const FreeRun& fewer) {
+  if (!fewer.is_finite()) return more.is_finite();
+  const double price = parameter_penalty(fewer.independent * fewer.samples) *
+                       (static_cast<double>(more.numbers) - static_cast<double>(fewer.numbers));
+  return fewer.independent * (fewer.deviance - more.deviance) > price;
+}
+
+bool is_better(const FreeRun& one, const FreeRun& other) {
+  if (one.numbers > other.numbers) return is_worth(one, other);
+  if (one.numbers < other.numbers) return !is_worth(other, one);
+  return one.deviance < other.deviance;
+}
+
+}  // namespace lacuna
