@@ -38,7 +38,8 @@ const std::vector<std::string> kStageKeys = {
 
 /// What `identify` does besides a pipeline: options that change no stage.
 const std::vector<std::string> kRuleKeys = {
-    "library", "forms", "dead_time", "validation", "relations", "advice", "map", "sync"};
+    "library",    "forms",     "dead_time", "plain_structure", "validation",
+    "relations",  "advice",    "map",       "sync"};
 
 bool is_in(const std::vector<std::string>& list, const std::string& key) {
   return std::find(list.begin(), list.end(), key) != list.end();

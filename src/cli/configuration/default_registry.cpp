@@ -142,6 +142,7 @@ void add_identification(Registry& registry) {
   registry.add<Rules<LibraryOptions>>();
   registry.add<Rules<FormOptions>>();
   registry.add<Rules<DeadTimeOptions>>();
+  registry.add<Rules<PlainStructureOptions>>();
   registry.add<Rules<ValidationOptions>>();
   registry.add<Rules<RelationOptions>>();
   registry.add<Rules<AdviceOptions>>();

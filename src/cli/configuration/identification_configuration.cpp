@@ -25,6 +25,7 @@ IdentificationOptions identification_options(const Configuration& configuration,
   read(registry, root, options.library);
   read(registry, root, options.forms);
   read(registry, root, options.dead_time);
+  read(registry, root, options.plain_structure);
   read(registry, root, options.validation);
   read(registry, root, options.relations);
   read(registry, root, options.advice);

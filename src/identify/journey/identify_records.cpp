@@ -262,10 +262,21 @@ IdentificationTask with_held_out_delayed(IdentificationTask task, const Vector& 
   return task;
 }
 
+/// Whether equations may be plainer: they do not predict, or one of them has more terms than its
+/// affine law.
+bool may_be_plainer(const Validation& validation, const IdentificationResult& result) {
+  if (validation.verdict != ValidationVerdict::FitsToNoise) return true;
+  const OdeModel& model = result.model;
+  const std::size_t affine = 1 + model.states().size() + model.inputs().size();
+  return std::any_of(model.equations().begin(), model.equations().end(),
+                     [&](const Equation& equation) { return equation.size() > affine; });
+}
+
 /// A plain structure in the place of equations that do not predict, where its free runs are better.
+/// @param fits whether they predict to the noise: then every significant term counts.
 /// @param times T of each input, as it was found before; changed with the equations.
 /// @return whether equations were replaced.
-bool take_plain_structure(const Prepared& prepared, const RecordStream& recorded,
+bool take_plain_structure(const Prepared& prepared, const RecordStream& recorded, bool fits,
                           Identification& found, Vector& times, const RunContext& context) {
   const Dataset* data = recorded.in_memory();
   if (data == nullptr || prepared.task.measured != Measured::AllStates ||
@@ -276,7 +287,9 @@ bool take_plain_structure(const Prepared& prepared, const RecordStream& recorded
   run_unless_quick(prepared.task, found.result, kPlainStructureStage, [&] {
     auto plain =
         plain_equations(*data, prepared.chosen, prepared.task.options.dead_time,
-                        {found.result, times, found.result.dead_times}, context);
+                        {found.result, times,
+                         fits ? 0.0 : prepared.task.options.plain_structure.least_gain},
+                        context);
     if (!plain) return;
     plain->result.stages = std::move(found.result.stages);
     plain->result.dead_times = std::move(plain->found);
@@ -298,8 +311,10 @@ void judge_equations(const Prepared& prepared, const RecordStream& recorded,
   };
   try {
     std::optional<Validation> validation = validated(task(), found, context);
-    if (validation && falls_short(*validation) &&
-        take_plain_structure(prepared, recorded, found, times, context)) {
+    if (validation && may_be_plainer(*validation, found.result) &&
+        take_plain_structure(prepared, recorded,
+                             validation->verdict == ValidationVerdict::FitsToNoise, found,
+                             times, context)) {
       std::erase_if(found.result.stages, [](const StageDone& stage) {
         return stage.name == kValidationStage;
       });

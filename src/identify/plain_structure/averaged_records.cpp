@@ -3,30 +3,75 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
+#include <vector>
 
 namespace lacuna {
 namespace {
 
-/// Weights of the samples about the middle one.
-struct Window {
-  Vector mean;   ///< sum 1
-  Vector slope;  ///< of a straight line it is the slope per sample
-};
+/// Coefficients of a polynomial in s, the constant first.
+using Powers = std::vector<double>;
 
-Window window_of(Index half) {
-  const double reach = static_cast<double>(half) + 1.0;
-  Window window{Vector(2 * half + 1), Vector(2 * half + 1)};
-  for (Index j = -half; j <= half; ++j) {
-    const double s = static_cast<double>(j) / reach, rest = 1.0 - s * s;
-    window.mean[j + half] = rest * rest * rest;
-    window.slope[j + half] = s * rest * rest;
-  }
-  window.mean /= window.mean.sum();
-  double length = 0.0;
+Powers derived(const Powers& p) {
+  Powers result;
+  for (std::size_t i = 1; i < p.size(); ++i) result.push_back(static_cast<double>(i) * p[i]);
+  return result;
+}
+
+/// (1 - s^2)^5, which has four continuous derivatives at the ends.
+Powers bell() { return {1.0, 0.0, -5.0, 0.0, 10.0, 0.0, -10.0, 0.0, 5.0, 0.0, -1.0}; }
+
+double at(const Powers& p, double s) {
+  double value = 0.0;
+  for (auto i = p.rbegin(); i != p.rend(); ++i) value = value * s + *i;
+  return value;
+}
+
+/// sum_j weights_j j^power / power!
+double moment(const Vector& weights, Index half, int power) {
+  double sum = 0.0, factorial = 1.0;
+  for (int i = 2; i <= power; ++i) factorial *= i;
   for (Index j = -half; j <= half; ++j)
-    length += static_cast<double>(j) * window.slope[j + half];
-  window.slope /= length;
-  return window;
+    sum += weights[j + half] * std::pow(static_cast<double>(j), power);
+  return sum / factorial;
+}
+
+/// Weights that make of the samples about the middle one the derivative of their mean, per sample
+/// to this order: exact for polynomials of that degree.
+Vector weights_of(Index half, int order) {
+  const double reach = static_cast<double>(half) + 1.0;
+  Powers window = bell();
+  for (int i = 0; i < order; ++i) window = derived(window);
+  Vector weights(2 * half + 1), mean(2 * half + 1);
+  for (Index j = -half; j <= half; ++j) {
+    weights[j + half] = at(window, static_cast<double>(j) / reach);
+    mean[j + half] = at(bell(), static_cast<double>(j) / reach);
+  }
+  // What sampling the window leaves of lower degrees of the same parity.
+  for (int lower = order - 2; lower >= 0; lower -= 2) {
+    Vector part = mean;
+    for (Index j = -half; j <= half; ++j)
+      part[j + half] *= std::pow(static_cast<double>(j), lower);
+    weights -= moment(weights, half, lower) / moment(part, half, lower) * part;
+  }
+  return weights / moment(weights, half, order);
+}
+
+/// Of which channel a state is a derivative, and to what order: what was made of samples by
+/// differences is made of their means instead.
+std::pair<Index, int> origin_of(const Dataset& data, Index state) {
+  int order = 0;
+  for (bool found = true; found && !data.is_measured(state);) {
+    found = false;
+    for (Index j = 0; j < data.state_count(); ++j)
+      if (data.rate_state(j) == state) {
+        state = j;
+        ++order;
+        found = true;
+        break;
+      }
+  }
+  return {state, order};
 }
 
 Matrix weighted(const Matrix& samples, const Vector& weights, Index stride) {
@@ -50,19 +95,28 @@ Matrix about_samples(const Dataset& data, Matrix inputs) {
 }  // namespace
 
 Dataset averaged(const Dataset& data, Index half) {
-  const Window window = window_of(half);
+  const Index width = 2 * half + 1;
   const Index stride = std::max<Index>(half / 2, 1);
   Dataset result = data;
   for (Quantity& input : result.inputs) input.hold = Hold::Smooth;
   result.trajectories.clear();
   for (const Trajectory& record : data.trajectories) {
     const auto step = uniform_step(record);
-    if (!step || record.samples() < 2 * window.mean.size()) continue;
+    if (!step || record.samples() < 2 * width) continue;
     Trajectory mean;
     mean.source = record.source;
-    mean.states = weighted(record.states, window.mean, stride);
-    mean.inputs = weighted(about_samples(data, record.inputs), window.mean, stride);
-    mean.derivatives = weighted(record.states, window.slope, stride) / *step;
+    mean.inputs =
+        weighted(about_samples(data, record.inputs), weights_of(half, 0), stride);
+    mean.states.resize(mean.inputs.rows(), data.state_count());
+    mean.derivatives.resize(mean.inputs.rows(), data.state_count());
+    for (Index k = 0; k < data.state_count(); ++k) {
+      const auto [channel, order] = origin_of(data, k);
+      const Matrix samples = record.states.col(channel);
+      mean.states.col(k) =
+          weighted(samples, weights_of(half, order), stride) / std::pow(*step, order);
+      mean.derivatives.col(k) =
+          weighted(samples, weights_of(half, order + 1), stride) / std::pow(*step, order + 1);
+    }
     mean.time = Vector(mean.states.rows());
     for (Index i = 0; i < mean.time.size(); ++i) mean.time[i] = record.time[half + i * stride];
     result.trajectories.push_back(std::move(mean));

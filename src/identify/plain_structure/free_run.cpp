@@ -57,16 +57,19 @@ FreeRun free_run(const SystemModel& system, const Dataset& data, const RunContex
   }
 }
 
-bool is_worth(const FreeRun& more, const FreeRun& fewer) {
+bool is_worth(const FreeRun& more, const FreeRun& fewer, double least) {
   if (!fewer.is_finite()) return more.is_finite();
-  const double price = parameter_penalty(fewer.independent * fewer.samples) *
-                       (static_cast<double>(more.numbers) - static_cast<double>(fewer.numbers));
-  return fewer.independent * (fewer.deviance - more.deviance) > price;
+  const double numbers =
+      static_cast<double>(more.numbers) - static_cast<double>(fewer.numbers);
+  const double gain = fewer.deviance - more.deviance;
+  return fewer.independent * gain >
+             parameter_penalty(fewer.independent * fewer.samples) * numbers &&
+         gain >= -2.0 * fewer.samples * std::log1p(-least) * numbers;
 }
 
-bool is_better(const FreeRun& one, const FreeRun& other) {
-  if (one.numbers > other.numbers) return is_worth(one, other);
-  if (one.numbers < other.numbers) return !is_worth(other, one);
+bool is_better(const FreeRun& one, const FreeRun& other, double least) {
+  if (one.numbers > other.numbers) return is_worth(one, other, least);
+  if (one.numbers < other.numbers) return !is_worth(other, one, least);
   return one.deviance < other.deviance;
 }
 

@@ -32,11 +32,12 @@ FreeRun free_run(const SystemModel& system, const Dataset& data, const RunContex
 
 /// Whether a model is better than one with fewer numbers: its deviance is smaller by more than
 /// ln n for each number more (Schwarz), n and the deviance those of as many samples as the
-/// residuals of the other one are worth.
-bool is_worth(const FreeRun& more, const FreeRun& fewer);
+/// residuals of the other one are worth; and each number more takes at least a fraction `least` off
+/// the residuals (rms).
+bool is_worth(const FreeRun& more, const FreeRun& fewer, double least = 0.0);
 
 /// Whether one of two models is to be taken instead of the other: the one with fewer numbers,
 /// unless that with more is worth them; with as many the one with the smaller deviance.
-bool is_better(const FreeRun& one, const FreeRun& other);
+bool is_better(const FreeRun& one, const FreeRun& other, double least = 0.0);
 
 }  // namespace lacuna

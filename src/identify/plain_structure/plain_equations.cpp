@@ -60,9 +60,10 @@ std::optional<LateEquations> plain_equations(const Dataset& data, const Pipeline
   const double without = largest(times) + 2.0 * median_step(data);  // what refining may add
   const TermLibrary library = pipeline.basis->library(variables_of(data));
   const auto plain =
-      plain_structure(with_inputs_delayed(data, times, without), library, context);
+      plain_structure(with_inputs_delayed(data, times, without), library, found.least,
+                      context);
   if (!plain) return std::nullopt;
-  LateEquations result{times, found.late, found.result};
+  LateEquations result{times, found.result.dead_times, found.result};
   if (found.times.size() == 0 && largest(times) > 0.0) {
     result.found = refined_dead_times(data, plain->system.model(), times, given, context);
     result.times = times_of(data, result.found);
@@ -72,8 +73,8 @@ std::optional<LateEquations> plain_equations(const Dataset& data, const Pipeline
   FreeRun before =
       free_run(SystemModel(found.result.model), with_inputs_delayed(data, own, without), context);
   run.numbers += result.found.size();
-  before.numbers += found.late.size();
-  if (!is_better(run, before)) return std::nullopt;
+  before.numbers += found.result.dead_times.size();
+  if (!is_better(run, before, found.least)) return std::nullopt;
   const OdeModel model = with_readable_widths(run);
   auto refitted = refitted_result_on(acting, model, pipeline, context);
   if (!refitted) return std::nullopt;

@@ -59,7 +59,8 @@ struct Law {
 };
 
 /// The laws of machines that are no polynomials, of every state.
-std::vector<Law> laws_of_machines(const Dataset& data) {
+/// @param means averaged(), whose ranges are those of the motion and not of noise.
+std::vector<Law> laws_of_machines(const Dataset& data, const Dataset& means) {
   const Variables variables = variables_of(data);
   std::vector<Law> laws;
   const auto add = [&](const std::string& text) {
@@ -67,7 +68,7 @@ std::vector<Law> laws_of_machines(const Dataset& data) {
   };
   for (Index k = 0; k < data.state_count(); ++k) {
     double least = INFINITY, most = -INFINITY;
-    for (const Trajectory& record : data.trajectories) {
+    for (const Trajectory& record : means.trajectories) {
       least = std::min(least, record.states.col(k).minCoeff());
       most = std::max(most, record.states.col(k).maxCoeff());
     }
@@ -99,21 +100,22 @@ std::vector<Term> affine_terms(const Variables& variables) {
 /// What is searched in.
 class PlainSearch {
  public:
-  PlainSearch(const Dataset& data, const TermLibrary& library, const RunContext& context)
-      : data_(data), context_(context), pool_(library.terms) {
+  PlainSearch(const Dataset& data, const TermLibrary& library, double least,
+              const RunContext& context)
+      : data_(data), context_(context), least_(least), pool_(library.terms) {
+    constexpr double kRatio = 4.0;  // of one width to the next; a bound of the work
+    for (Index half = 2; 8 * half < longest_record(data).samples();
+         half = static_cast<Index>(kRatio * static_cast<double>(half)))
+      if (Dataset means = averaged(data, half); means.samples() > 0)
+        means_.push_back({half, std::move(means)});
+    if (means_.empty()) return;
     widths_.resize(pool_.size());
-    for (Law& law : laws_of_machines(data)) {
+    for (Law& law : laws_of_machines(data, means_[means_.size() / 2].data)) {
       if (std::find(pool_.begin(), pool_.end(), law.term) != pool_.end()) continue;
       pool_.push_back(std::move(law.term));
       widths_.push_back(std::move(law.width));
     }
-    constexpr double kRatio = 4.0;  // of one width to the next; a bound of the work
-    for (Index half = 2; 8 * half < longest_record(data).samples();
-         half = static_cast<Index>(kRatio * static_cast<double>(half)))
-      if (Dataset means = averaged(data, half); means.samples() > 0) {
-        columns_.push_back(columns_of(pool_, means));
-        means_.push_back({half, std::move(means)});
-      }
+    for (const Means& means : means_) columns_.push_back(columns_of(pool_, means.data));
   }
 
   bool is_open(Index equation) const { return !data_.rate_state(equation); }
@@ -152,6 +154,9 @@ class PlainSearch {
 
   FreeRun run(const SystemModel& system) const { return free_run(system, data_, context_); }
   bool is_late() const { return context_.is_late(); }
+  bool are_worth(const FreeRun& more, const FreeRun& fewer) const {
+    return is_worth(more, fewer, least_);
+  }
 
  private:
   struct Means {
@@ -196,6 +201,7 @@ class PlainSearch {
 
   const Dataset& data_;
   const RunContext& context_;
+  double least_;
   std::vector<Term> pool_;
   std::vector<std::optional<Parameter>> widths_;  ///< of each of these
   std::vector<Means> means_;
@@ -282,7 +288,7 @@ FreeRun pruned(const PlainSearch& search, FreeRun best) {
     changed = false;
     for (const auto& [k, i, significance] : least_significant(search, best)) {
       FreeRun fewer = search.run(without(best.system, k, i));
-      if (!fewer.is_finite() || is_worth(best, fewer)) continue;
+      if (!fewer.is_finite() || search.are_worth(best, fewer)) continue;
       best = std::move(fewer);
       changed = true;
       break;
@@ -311,16 +317,16 @@ std::optional<FreeRun> extended(const PlainSearch& search, const FreeRun& best) 
     FreeRun one = search.run(with(best.system, ranked[i]));
     if (one.deviance < next.deviance) next = std::move(one);
   }
-  return is_worth(next, best) && next.numbers > best.numbers ? std::optional(std::move(next))
+  return search.are_worth(next, best) && next.numbers > best.numbers ? std::optional(std::move(next))
                                                              : std::nullopt;
 }
 
 }  // namespace
 
 std::optional<FreeRun> plain_structure(const Dataset& data, const TermLibrary& library,
-                                       const RunContext& context) {
+                                       double least, const RunContext& context) {
   constexpr int kRounds = 4;  // a bound of the work: what takes more terms is not plain
-  const PlainSearch search(data, library, context);
+  const PlainSearch search(data, library, least, context);
   if (!search.has_rows()) return std::nullopt;
   FreeRun best = search.run(search.affine());
   if (!best.is_finite()) return std::nullopt;

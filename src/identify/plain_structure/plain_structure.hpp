@@ -18,9 +18,9 @@ namespace lacuna {
 ///
 /// Candidates are those of the library, and the plain laws of machines of each state: dry friction
 /// as tanh(v/width), its width fitted with the coefficients, v*abs(v), sin(x), sqrt(x).
-/// @param data records with inputs that act (with_inputs_delayed()).
+/// @param least of is_worth(). @param data records with inputs that act (with_inputs_delayed()).
 /// @return nothing where the affine law has no finite run.
 std::optional<FreeRun> plain_structure(const Dataset& data, const TermLibrary& library,
-                                       const RunContext& context);
+                                       double least, const RunContext& context);
 
 }  // namespace lacuna

@@ -27,12 +27,29 @@ struct LibraryOptions {
   }
 };
 
+/// How plain a structure is where nothing fits to the noise.
+struct PlainStructureOptions {
+  static constexpr StageInfo kInfo{
+      "plain_structure", "What a term is worth where nothing fits to the noise", ""};
+
+  double least_gain = 0.2;
+
+  void describe(OptionVisitor& v) {
+    v.field({"least_gain", "",
+             "Where nothing fits to the noise each number of a structure has to take this "
+             "fraction off what free runs without it leave (rms).",
+             0.0, 1.0},
+            least_gain);
+  }
+};
+
 /// What identify_records() decides besides its pipeline.
 struct IdentificationOptions {
   Thoroughness effort = Thoroughness::Normal;  ///< see identify_records()
   LibraryOptions library;
   FormOptions forms;
   DeadTimeOptions dead_time;
+  PlainStructureOptions plain_structure;
   ValidationOptions validation;
   RelationOptions relations;
   AdviceOptions advice;  ///< seeks as `forms` says
