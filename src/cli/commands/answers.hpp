@@ -35,6 +35,7 @@ struct IdentifyRequest {
   std::optional<int> degree = {}, hidden = {};
   std::optional<int> alternatives = {};  ///< models that are listed beside the best at most
   std::vector<std::string> assignments = {}, equations = {}, added = {}, constraints = {};
+  std::vector<std::string> dead_times = {};  ///< "u=0.02", "v=auto"
   bool discrete = false;
   Thoroughness effort = Thoroughness::Normal;
   std::string integrator = "auto";

@@ -55,6 +55,10 @@ void declare_pipeline_options(CLI::App& app, IdentifyArguments& options) {
   app.add_option("--equation", options.equations,
                  "The terms of one equation, e.g. \"dw: sin(th), w, u\"; repeatable")
       ->type_name("STATE:LIST");
+  app.add_option("--dead-time", options.dead_times,
+                 "How late an input acts, in the time unit of the records: auto (sought), 0, 0.02; "
+                 "repeatable [default: auto]")
+      ->type_name("INPUT=TIME");
   app.add_option("--alternatives", options.alternatives,
                  "List so many models of other structure that the record cannot distinguish "
                  "from the best, with criterion and held-out error")
@@ -106,6 +110,21 @@ Pipeline make_pipeline(const Registry& registry, const IdentifyRequest& request,
   return pipeline;
 }
 
+/// Dead times that are given, of "u=0.02"; those of inputs that say auto are sought.
+std::vector<DeadTime> given_dead_times(const std::vector<std::string>& texts) {
+  std::vector<DeadTime> given;
+  for (const auto& [part, name, value] :
+       read_assignments({"--dead-time", "INPUT=TIME", "--dead-time u=0.02"}, texts)) {
+    if (value == "auto") continue;
+    const std::optional<double> time = parse_number(value);
+    if (!time || !(*time >= 0.0))
+      throw ConfigError("--dead-time " + part, "this is no time of at least 0",
+                        "give auto, 0, or a time in the time unit of the records");
+    given.push_back({name, *time});
+  }
+  return given;
+}
+
 IdentificationTask task_of(const Registry& registry, const IdentifyRequest& request,
                            const Configuration& configuration) {
   const bool as_given =
@@ -118,6 +137,7 @@ IdentificationTask task_of(const Registry& registry, const IdentifyRequest& requ
       .integrator = registry.make<Integrator>(request.integrator),
       .options = identification_options(configuration, registry)};
   task.options.effort = request.effort;
+  task.options.dead_time.given = given_dead_times(request.dead_times);
   if (!request.held_out.empty())
     task.held_out = [&request](const OdeModel& model) {
       return records_for(model, request.held_out, common_roles(request.data),

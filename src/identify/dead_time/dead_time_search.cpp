@@ -8,7 +8,7 @@
 
 #include "core/base/text.hpp"
 #include "delayed_inputs.hpp"
-#include "identify/plain_structure/free_run.hpp"
+#include "identify/free_runs/free_run.hpp"
 #include "identify/validation/held_blocks.hpp"
 #include "identify/validation/refit.hpp"
 #include "lacuna/core/base/error.hpp"
@@ -75,8 +75,9 @@ void move_to(const Dataset& data, const Pipeline& pipeline, IdentificationResult
 GivenTimes given_times(const Dataset& data, const DeadTimeOptions& options) {
   GivenTimes given(data.inputs.size());
   for (const DeadTime& one : options.given) {
-    const auto at = std::find_if(data.inputs.begin(), data.inputs.end(),
-                                 [&](const Quantity& input) { return input.name == one.input; });
+    const auto at =
+        std::find_if(data.inputs.begin(), data.inputs.end(),
+                     [&](const Quantity& input) { return input.name == one.input; });
     if (at == data.inputs.end())
       throw ConfigError("dead time of " + one.input, "the records have no such input",
                         "name one of the inputs");
@@ -96,10 +97,10 @@ std::vector<DeadTime> refined_dead_times(const Dataset& data, const OdeModel& mo
   const double step = median_step(data);
   std::vector<FittedParameter> numbers;
   try {
-    numbers = fit(with_free_times(model, times, given, step), thinned(data, kSamples), {},
-                  {.restarts = 0, .starts = 0, .effort = Thoroughness::Quick, .rough = true},
-                  context)
-                  .numbers;
+    numbers =
+        fit(with_free_times(model, times, given, step), thinned(data, kSamples), {},
+            {.restarts = 0, .starts = 0, .effort = Thoroughness::Quick, .rough = true}, context)
+            .numbers;
   } catch (const DataError&) {
   }
   std::vector<DeadTime> refined;
@@ -122,9 +123,8 @@ std::vector<DeadTime> refined_dead_times(const Dataset& data, const OdeModel& mo
 }
 
 bool are_determined(const std::vector<DeadTime>& found) {
-  return std::all_of(found.begin(), found.end(), [](const DeadTime& late) {
-    return !late.ci95 || (*late.ci95)[0] > 0.0;
-  });
+  return std::all_of(found.begin(), found.end(),
+                     [](const DeadTime& late) { return !late.ci95 || (*late.ci95)[0] > 0.0; });
 }
 
 Vector times_of(const Dataset& data, const std::vector<DeadTime>& found) {
@@ -135,18 +135,14 @@ Vector times_of(const Dataset& data, const std::vector<DeadTime>& found) {
   return times;
 }
 
-std::optional<LateEquations> equations_with_dead_times(const Dataset& data,
-                                                       const Pipeline& pipeline,
-                                                       const DeadTimeOptions& options,
-                                                       const IdentificationResult& at_once,
-                                                       const FindEquations& find,
-                                                       const RunContext& context) {
+std::optional<LateEquations> equations_with_dead_times(
+    const Dataset& data, const Pipeline& pipeline, const DeadTimeOptions& options,
+    const IdentificationResult& at_once, const FindEquations& find, const RunContext& context) {
   const GivenTimes given = given_times(data, options);
-  const bool all_given =
-      std::all_of(given.begin(), given.end(), [](const auto& time) { return time.has_value(); });
-  Vector times = all_given
-                     ? Vector(data.input_count())
-                     : screened_dead_times(data, pipeline, options, given, context);
+  const bool all_given = std::all_of(given.begin(), given.end(),
+                                     [](const auto& time) { return time.has_value(); });
+  Vector times = all_given ? Vector(data.input_count())
+                           : screened_dead_times(data, pipeline, options, given, context);
   for (std::size_t j = 0; j < given.size(); ++j)
     if (given[j]) times[static_cast<Index>(j)] = *given[j];
   if (times.maxCoeff() <= 0.0) return std::nullopt;
@@ -156,8 +152,7 @@ std::optional<LateEquations> equations_with_dead_times(const Dataset& data,
   if (!are_determined(late.found)) return std::nullopt;
   if (const Vector better = times_of(data, late.found); better != late.times) {
     late.times = better;
-    move_to(with_inputs_delayed(data, better, without), pipeline,
-            late.result, context);
+    move_to(with_inputs_delayed(data, better, without), pipeline, late.result, context);
   }
   if (all_given) return late;
   const auto run = [&](const OdeModel& model, const Vector& delays) {

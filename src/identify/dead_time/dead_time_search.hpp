@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "lacuna/identify/dead_time/dead_times.hpp"
+#include "lacuna/identify/dead_time/dead_time_options.hpp"
 #include "lacuna/identify/pipeline/pipeline.hpp"
 
 namespace lacuna {
@@ -29,7 +29,8 @@ GivenTimes given_times(const Dataset& data, const DeadTimeOptions& options);
 
 /// The dead times of a model as its free runs have them (fit()); where these depart from the
 /// records those that are there, in whole steps.
-/// @param model in inputs that act, its coefficients as the fits begin. @param times of each input.
+/// @param model in inputs that act, its coefficients as the fits begin. @param times of each
+/// input.
 std::vector<DeadTime> refined_dead_times(const Dataset& data, const OdeModel& model,
                                          const Vector& times, const GivenTimes& given,
                                          const RunContext& context);
@@ -43,17 +44,15 @@ bool are_determined(const std::vector<DeadTime>& found);
 /// Equations with given dead times, and with those of other inputs where they make the
 /// equations better: whole steps by rows of derivatives (screened_dead_times()), then by the
 /// likelihood of free runs of the model that was found with them (fit()). Better is by
-/// is_better() of free runs, a time counted as a coefficient; no interval of a time may reach 0.
+/// is_better() of free runs, a time counted as a coefficient; no interval of a time may reach
+/// 0.
 /// @param at_once equations without dead times; not asked for where they are given for all
 ///   inputs.
 /// @return nothing where all inputs act at once.
 /// @throws ConfigError for a given input that the records lack, or a time that is negative or
 ///   longer than half of every record.
-std::optional<LateEquations> equations_with_dead_times(const Dataset& data,
-                                                       const Pipeline& pipeline,
-                                                       const DeadTimeOptions& options,
-                                                       const IdentificationResult& at_once,
-                                                       const FindEquations& find,
-                                                       const RunContext& context);
+std::optional<LateEquations> equations_with_dead_times(
+    const Dataset& data, const Pipeline& pipeline, const DeadTimeOptions& options,
+    const IdentificationResult& at_once, const FindEquations& find, const RunContext& context);
 
 }  // namespace lacuna

@@ -28,8 +28,8 @@ Vector held_before(const Vector& time, const Vector& values, double delay) {
   for (Index i = 0; i <= last; ++i) {
     const double from = time[i] - delay;
     const double to = (i < last ? time[i + 1] : 2.0 * time[i] - time[i - 1]) - delay;
-    result[i] = without_rounding(signal.held_moments(from, to).mean, other(0.5 * (from + to)),
-                                 range);
+    result[i] =
+        without_rounding(signal.held_moments(from, to).mean, other(0.5 * (from + to)), range);
   }
   return result;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/identify/dead_time/dead_times.hpp"
+#include "lacuna/identify/dead_time/dead_time_options.hpp"
 
 namespace lacuna {
 

@@ -6,8 +6,8 @@
 #include <map>
 #include <numeric>
 
-#include "identify/plain_structure/averaged_records.hpp"
 #include "delayed_inputs.hpp"
+#include "identify/free_runs/averaged_records.hpp"
 #include "identify/pipeline/equation_terms.hpp"
 #include "identify/validation/held_blocks.hpp"
 #include "lacuna/core/base/error.hpp"
@@ -21,7 +21,7 @@ constexpr Index kRows = 10000;  // a bound of the work: samples that are looked 
 /// What the library leaves of the derivatives of means over some samples, under dead times.
 class DelayedRows {
  public:
-  /// @param longest time units: what is left out at the begin of each record.
+  /// @param longest time units: samples at the begin of each record that do not count.
   DelayedRows(const Dataset& data, const Pipeline& pipeline, Index half, double longest,
               const RunContext& context)
       : data_(data),
@@ -93,7 +93,8 @@ class StepSearch {
     Index best = 0;
     for (const Index steps : grid)
       if (left(steps) < left(best)) best = steps;
-    for (Index apart = std::max<Index>(best / 8, 1);;) {  // neighbours of the grid are 4 times that
+    for (Index apart = std::max<Index>(best / 8, 1);
+         ;) {  // neighbours of the grid are 4 times that
       const Index before = best;
       for (const Index steps : {before - apart, before + apart})
         if (steps >= 0 && steps <= most && left(steps) < left(best)) best = steps;
@@ -131,11 +132,11 @@ Screened screened(const DelayedRows& rows, Vector times, const std::vector<Index
     for (const Index j : sought) {
       StepSearch search(rows, found.times, j, step);
       const Index best = search.best_to(most);
-      const double price = std::log(rows.independent()) +
-                           2.0 * std::log(static_cast<double>(search.tried()));
-      const bool worth = search.gain(best) > price;
+      const double penalty =
+          std::log(rows.independent()) + 2.0 * std::log(static_cast<double>(search.tried()));
+      const bool worth = search.gain(best) > penalty;
       found.times[j] = worth ? static_cast<double>(best) * step : 0.0;
-      if (worth) found.gain += search.gain(best) - price;
+      if (worth) found.gain += search.gain(best) - penalty;
     }
     if (found.times == before) break;
   }

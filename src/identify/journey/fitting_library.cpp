@@ -29,8 +29,8 @@ int largest_power(const std::vector<std::vector<int>>& exponents, std::size_t sl
 }
 
 std::string sentence(const Quantity& input, int count) {
-  return input.name + " takes " + std::to_string(count) +
-         " values, at which its power " + std::to_string(count) +
+  return input.name + " takes " + std::to_string(count) + " values, at which its power " +
+         std::to_string(count) +
          " is a sum of lower ones: those from there on are no candidates";
 }
 

@@ -7,13 +7,13 @@
 #include "centred_library.hpp"
 #include "data/records/known_noise.hpp"
 #include "fitting_library.hpp"
-#include "lacuna/dynamics/integration/automatic.hpp"
 #include "identify/dead_time/dead_time_search.hpp"
 #include "identify/dead_time/delayed_inputs.hpp"
 #include "identify/forms_beside/identify_with_forms.hpp"
 #include "identify/hidden_state/identify_hidden.hpp"
 #include "identify/plain_structure/plain_equations.hpp"
 #include "identify/validation/validate.hpp"
+#include "lacuna/dynamics/integration/automatic.hpp"
 #include "lower_terms.hpp"
 #include "plain_terms.hpp"
 #include "records/binding/other_records.hpp"
@@ -59,8 +59,8 @@ IdentificationTask with_effort(IdentificationTask task) {
   return task;
 }
 
-/// What records in memory show of their inputs: a flow's are held where they repeat samples, and
-/// powers of an input with few values are no candidates.
+/// What records in memory show of their inputs: a flow's are held where they repeat samples,
+/// and powers of an input with few values are no candidates.
 /// @param notes gets a sentence for each such input.
 RecordStream with_inputs_as_shown(RecordStream records, IdentificationTask& task,
                                   std::vector<std::string>& notes) {
@@ -122,8 +122,9 @@ std::optional<Verification> verify(const IdentificationTask& task, Identificatio
   SyncVerdict verdict =
       beside(found.adequacy, judge(found.model, driving, sync, task.options.sync));
   if (sync.by_fixed_steps)
-    found.warnings.push_back("synchronisation: steps that adapt got too small, fixed ones were "
-                             "taken (rk4)");
+    found.warnings.push_back(
+        "synchronisation: steps that adapt got too small, fixed ones were "
+        "taken (rk4)");
   const StageInfo& method = method_of(sync, integrator);
   return Verification{std::move(sync), std::move(verdict), std::string(method.name)};
 }
@@ -236,9 +237,9 @@ Vector take_dead_times(const Prepared& prepared, Identification& found,
   Vector times;
   const auto search = [&] {
     const Dataset& data = *found.records.in_memory();
-    auto late = equations_with_dead_times(data, prepared.task.pipeline,
-                                          prepared.task.options.dead_time, found.result, find,
-                                          context);
+    auto late =
+        equations_with_dead_times(data, prepared.task.pipeline, prepared.task.options.dead_time,
+                                  found.result, find, context);
     if (!late) return;
     times = late->times;
     late->result.stages = std::move(found.result.stages);
@@ -262,8 +263,8 @@ IdentificationTask with_held_out_delayed(IdentificationTask task, const Vector& 
   return task;
 }
 
-/// Whether equations may be plainer: they do not predict, or one of them has more terms than its
-/// affine law.
+/// Whether equations may be plainer: they do not predict, or one of them has more terms than
+/// its affine law.
 bool may_be_plainer(const Validation& validation, const IdentificationResult& result) {
   if (validation.verdict != ValidationVerdict::FitsToNoise) return true;
   const OdeModel& model = result.model;
@@ -272,7 +273,8 @@ bool may_be_plainer(const Validation& validation, const IdentificationResult& re
                      [&](const Equation& equation) { return equation.size() > affine; });
 }
 
-/// A plain structure in the place of equations that do not predict, where its free runs are better.
+/// A plain structure in the place of equations that do not predict, where its free runs are
+/// better.
 /// @param fits whether they predict to the noise: then every significant term counts.
 /// @param times T of each input, as it was found before; changed with the equations.
 /// @return whether equations were replaced.
@@ -285,11 +287,10 @@ bool take_plain_structure(const Prepared& prepared, const RecordStream& recorded
     return false;
   bool is_taken = false;
   run_unless_quick(prepared.task, found.result, kPlainStructureStage, [&] {
-    auto plain =
-        plain_equations(*data, prepared.chosen, prepared.task.options.dead_time,
-                        {found.result, times,
-                         fits ? 0.0 : prepared.task.options.plain_structure.least_gain},
-                        context);
+    auto plain = plain_equations(
+        *data, prepared.chosen, prepared.task.options.dead_time,
+        {found.result, times, fits ? 0.0 : prepared.task.options.plain_structure.least_gain},
+        context);
     if (!plain) return;
     plain->result.stages = std::move(found.result.stages);
     plain->result.dead_times = std::move(plain->found);
@@ -315,9 +316,8 @@ void judge_equations(const Prepared& prepared, const RecordStream& recorded,
         take_plain_structure(prepared, recorded,
                              validation->verdict == ValidationVerdict::FitsToNoise, found,
                              times, context)) {
-      std::erase_if(found.result.stages, [](const StageDone& stage) {
-        return stage.name == kValidationStage;
-      });
+      std::erase_if(found.result.stages,
+                    [](const StageDone& stage) { return stage.name == kValidationStage; });
       validation = validated(task(), found, context);
     }
     look_further(task(), std::move(validation), found, context);

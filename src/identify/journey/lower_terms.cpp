@@ -137,15 +137,15 @@ std::optional<IdentificationResult> without_a_doubtful_term(const Pipeline& cent
       rest.erase(term);
       if (rest.empty()) continue;
       if (context.is_late()) return std::nullopt;  // a model in a hurry is no better one
-      IdentificationResult other =
-          identify(records, without_term(centred, library, found, *structure, k, term), context);
+      IdentificationResult other = identify(
+          records, without_term(centred, library, found, *structure, k, term), context);
       if (context.is_late()) return std::nullopt;
       const auto less = structure_of(library, other.model);
       if (!less) continue;
       const double fewer = static_cast<double>(library.all_of((*structure)[k]).size()) -
                            static_cast<double>(library.all_of((*less)[k]).size());
-      const double most = fewer * std::log(static_cast<double>(std::max<Index>(
-                                      found.fit[k].rows, 1)));
+      const double most =
+          fewer * std::log(static_cast<double>(std::max<Index>(found.fit[k].rows, 1)));
       const double more = chi_squared_over(other, found);
       if (!(fewer > 0.0) || !(more <= most)) continue;
       take_over_trail(found.trail, found.fit[k].equation, library.name(term), {more, most},
@@ -163,8 +163,7 @@ IdentificationResult with_lower_terms(const Pipeline& plain, const Pipeline& cen
                                       const RunContext& context) {
   if (found.library_alone) return found;
   const ShiftedLibrary library(plain, centred, records.excerpt());
-  while (auto other =
-             without_a_doubtful_term(centred, library, records, found, context))
+  while (auto other = without_a_doubtful_term(centred, library, records, found, context))
     found = std::move(*other);
   return found;
 }

@@ -27,7 +27,8 @@ std::optional<std::string> without_inputs(const Term& term, const Variables& var
   return Term::monomial(*exponents, variables).name();
 }
 
-/// The terms of every equation of a model that is not an identity, with one in place of another.
+/// The terms of every equation of a model that is not an identity, with one in place of
+/// another.
 std::vector<EquationTerms> terms_with(const IdentificationResult& found, std::size_t equation,
                                       const std::string& term, const std::string& other) {
   std::vector<EquationTerms> all;
@@ -68,9 +69,9 @@ std::vector<std::string> affine_terms(const Variables& variables) {
   return terms;
 }
 
-/// The model with an affine equation in the place of one in which a product with an input of two
-/// values stands, where it leaves as little: at a single step Q from rest, T*Q is T but for a
-/// constant.
+/// The model with an affine equation in the place of one in which a product with an input of
+/// two values stands, where it leaves as little: at a single step Q from rest, T*Q is T but for
+/// a constant.
 std::optional<IdentificationResult> with_an_affine_law(const Pipeline& pipeline,
                                                        const RecordStream& records,
                                                        const IdentificationResult& found,
@@ -137,9 +138,9 @@ IdentificationResult with_plain_terms(const Pipeline& pipeline, const RecordStre
                                       IdentificationResult found, const RunContext& context) {
   if (found.library_alone || !pipeline.equations.empty() || !pipeline.constraints.empty())
     return found;
-  while (auto other = with_an_affine_law(pipeline, records, found, context))
-    found = std::move(*other);
   while (auto other = with_a_plain_term(pipeline, records, found, context))
+    found = std::move(*other);
+  while (auto other = with_an_affine_law(pipeline, records, found, context))
     found = std::move(*other);
   return found;
 }

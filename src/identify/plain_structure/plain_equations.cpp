@@ -54,14 +54,13 @@ std::optional<LateEquations> plain_equations(const Dataset& data, const Pipeline
                                              const FoundEquations& found,
                                              const RunContext& context) {
   const GivenTimes given = given_times(data, options);
-  Vector times = found.times.size() > 0 ? found.times
-                                        : screened(data, pipeline, options, given, context);
+  Vector times =
+      found.times.size() > 0 ? found.times : screened(data, pipeline, options, given, context);
   const Vector own = found.times.size() > 0 ? found.times : Vector::Zero(times.size());
   const double without = largest(times) + 2.0 * median_step(data);  // what refining may add
   const TermLibrary library = pipeline.basis->library(variables_of(data));
   const auto plain =
-      plain_structure(with_inputs_delayed(data, times, without), library, found.least,
-                      context);
+      plain_structure(with_inputs_delayed(data, times, without), library, found.least, context);
   if (!plain) return std::nullopt;
   LateEquations result{times, found.result.dead_times, found.result};
   if (found.times.size() == 0 && largest(times) > 0.0) {
@@ -70,8 +69,8 @@ std::optional<LateEquations> plain_equations(const Dataset& data, const Pipeline
   }
   const Dataset acting = with_inputs_delayed(data, result.times, without);
   FreeRun run = free_run(plain->system, acting, context);
-  FreeRun before =
-      free_run(SystemModel(found.result.model), with_inputs_delayed(data, own, without), context);
+  FreeRun before = free_run(SystemModel(found.result.model),
+                            with_inputs_delayed(data, own, without), context);
   run.numbers += result.found.size();
   before.numbers += found.result.dead_times.size();
   if (!is_better(run, before, found.least)) return std::nullopt;

@@ -20,8 +20,8 @@ struct FoundEquations {
 bool free_runs_decide(const Dataset& data);
 
 /// The equations of plain_structure(), with the dead times of what was found, or those by rows
-/// where it has none, refined; nothing where what was found is better (is_better()), by free runs
-/// through the same samples.
+/// where it has none, refined; nothing where what was found is better (is_better()), by free
+/// runs through the same samples.
 std::optional<LateEquations> plain_equations(const Dataset& data, const Pipeline& pipeline,
                                              const DeadTimeOptions& options,
                                              const FoundEquations& found,

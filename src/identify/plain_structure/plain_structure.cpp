@@ -6,9 +6,9 @@
 #include <utility>
 #include <vector>
 
-#include "averaged_records.hpp"
 #include "core/base/text.hpp"
 #include "core/numerics/qr.hpp"
+#include "identify/free_runs/averaged_records.hpp"
 #include "identify/pipeline/equation_terms.hpp"
 
 namespace lacuna {
@@ -19,7 +19,8 @@ namespace {
 struct Ranked {
   Index equation = 0;
   Term term;
-  std::optional<Parameter> width = {};  ///< of dry friction, in the place of the number in the term
+  std::optional<Parameter> width =
+      {};  ///< of dry friction, in the place of the number in the term
   double coefficient = 0.0;
   double gain = 0.0;  ///< n ln of the residual without it over that with it, squared
 };
@@ -175,8 +176,8 @@ class PlainSearch {
       const auto& [half, means] = means_[w];
       const Vector rates = rates_of(means, k);
       if (rates.size() <= static_cast<Index>(present.size()) + 1) continue;
-      const Matrix basis =
-          present.empty() ? Matrix(rates.size(), 0) : PivotedQr(columns_of(present, means)).basis();
+      const Matrix basis = present.empty() ? Matrix(rates.size(), 0)
+                                           : PivotedQr(columns_of(present, means)).basis();
       const Vector left = rates - basis * (basis.transpose() * rates);
       const Matrix beside = columns_[w] - basis * (basis.transpose() * columns_[w]);
       const double independent =
@@ -185,8 +186,10 @@ class PlainSearch {
         const auto column = beside.col(static_cast<Index>(i));
         constexpr double kIndependent = 1e-8;  // a fact of rounding, squared
         const double size = column.squaredNorm(), product = column.dot(left);
-        if (size <= kIndependent * columns_[w].col(static_cast<Index>(i)).squaredNorm()) continue;
-        const double rest = std::max(1e-12, 1.0 - product * product / (size * left.squaredNorm()));
+        if (size <= kIndependent * columns_[w].col(static_cast<Index>(i)).squaredNorm())
+          continue;
+        const double rest =
+            std::max(1e-12, 1.0 - product * product / (size * left.squaredNorm()));
         const double gain = -independent * std::log(rest);
         if (gain > own[i].gain) {
           own[i].gain = gain;
@@ -195,7 +198,8 @@ class PlainSearch {
       }
     }
     for (Ranked& one : own)
-      if (one.gain > 0.0 && std::find(present.begin(), present.end(), one.term) == present.end())
+      if (one.gain > 0.0 &&
+          std::find(present.begin(), present.end(), one.term) == present.end())
         all.push_back(std::move(one));
   }
 
@@ -250,9 +254,9 @@ SystemModel with(const SystemModel& system, const Ranked& ranked) {
     const Expression width = Expression::variable(ranked.width->name);
     Variables variables = system.symbolic().variables();
     variables.inputs.push_back(ranked.width->name);
-    term = Term(Expression::make(Operation::Tanh,
-                                 {Expression::make(Operation::Divide,
-                                                   {quotient.operands()[0], width})}),
+    term = Term(Expression::make(
+                    Operation::Tanh,
+                    {Expression::make(Operation::Divide, {quotient.operands()[0], width})}),
                 variables);
   }
   std::vector<Equation> equations = system.symbolic().equations();
@@ -275,9 +279,8 @@ std::vector<Place> least_significant(const PlainSearch& search, const FreeRun& r
       for (std::size_t i = 0; i < run.system.symbolic().equations()[k].size(); ++i)
         if (places.size() < run.significance.size())
           places.push_back({k, i, run.significance[places.size()]});
-  std::sort(places.begin(), places.end(), [](const Place& a, const Place& b) {
-    return a.significance < b.significance;
-  });
+  std::sort(places.begin(), places.end(),
+            [](const Place& a, const Place& b) { return a.significance < b.significance; });
   if (places.size() > kTried) places.resize(kTried);
   return places;
 }
@@ -317,8 +320,9 @@ std::optional<FreeRun> extended(const PlainSearch& search, const FreeRun& best) 
     FreeRun one = search.run(with(best.system, ranked[i]));
     if (one.deviance < next.deviance) next = std::move(one);
   }
-  return search.are_worth(next, best) && next.numbers > best.numbers ? std::optional(std::move(next))
-                                                             : std::nullopt;
+  return search.are_worth(next, best) && next.numbers > best.numbers
+             ? std::optional(std::move(next))
+             : std::nullopt;
 }
 
 }  // namespace

@@ -59,7 +59,7 @@ void ValidationOptions::describe(OptionVisitor& v) {
        "that made a record without noise, of its digits and of the interpolation of inputs.",
        0.0, 1.0},
       resolution);
-  v.field({"small_share", "",
+  v.field({"small_fraction", "",
            "An error of a smaller fraction of the motion is what the model fits but for.", 0.0,
            1.0},
           small_fraction);

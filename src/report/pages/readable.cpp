@@ -45,8 +45,7 @@ std::string product_text(std::string number, const std::string& half, const Term
   const bool is_sum = outermost == Operation::Add || outermost == Operation::Subtract ||
                       outermost == Operation::Negate;
   const std::string factor = is_sum ? "(" + term.name() + ")" : term.name();
-  if (!half.empty())
-    number = "(" + number + (half == kUnknown ? ", " : " +- ") + half + ")";
+  if (!half.empty()) number = "(" + number + (half == kUnknown ? ", " : " +- ") + half + ")";
   if (term.name() == "1") return number;
   return number == "1" ? factor : number + "*" + factor;
 }
@@ -73,7 +72,7 @@ std::string half_text(const WeightedTerm& summand) {
   const auto half = half_interval(summand);
   if (!half) return "";
   return is_determined(summand.coefficient, *half) ? format_number(*half, 2)
-                                                  : std::string(kUnknown);
+                                                   : std::string(kUnknown);
 }
 
 std::string rate_unit(const std::string& unit, const std::string& time_unit) {

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "lacuna/identify/dead_time/dead_times.hpp"
+#include "lacuna/identify/pipeline/result.hpp"
 #include "lacuna/model/equations/rounding.hpp"
 
 namespace lacuna {

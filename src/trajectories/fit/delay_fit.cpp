@@ -35,7 +35,8 @@ struct Tried {
   std::vector<FittedParameter> numbers = {};
 };
 
-/// The profile of the likelihood over one delay. Each fit begins at the numbers of the best so far.
+/// The profile of the likelihood over one delay. Each fit begins at the numbers of the best so
+/// far.
 class DelayProfile {
  public:
   DelayProfile(SystemModel system, std::size_t parameter, const FitOptions& options,
@@ -60,7 +61,8 @@ class DelayProfile {
     const Parameter& delay = system_.parameters()[parameter_];
     Tried tried{value};
     try {
-      const Fit fit = fit_known_(with_delays_held(with_value(system_, parameter_, value)), options_);
+      const SystemModel held = with_delays_held(with_value(system_, parameter_, value));
+      const Fit fit = fit_known_(held, options_);
       tried.deviance = -2.0 * fit.log_likelihood;
       if (delay.deviation)
         tried.deviance += std::pow((value - given_of(delay)) / *delay.deviation, 2);
@@ -102,7 +104,7 @@ class DelayProfile {
 
 /// A delay at its best, and what the others do about it.
 struct KnownDelay {
-  double error = INFINITY;        ///< standard error
+  double error = INFINITY;          ///< standard error
   std::vector<double> slopes = {};  ///< d number / d delay of the other numbers
 };
 
@@ -114,8 +116,8 @@ void search_range(DelayProfile& profile, const DelayRange& range, double given) 
   for (int i = 0; i <= kPoints; ++i) profile.at(range.low + i * apart);
   const double low = std::max(range.low, profile.best().value - apart);
   const double high = std::min(range.high, profile.best().value + apart);
-  boost::math::tools::brent_find_minima([&](double value) { return profile.at(value).deviance; },
-                                        low, high, kBits);
+  boost::math::tools::brent_find_minima(
+      [&](double value) { return profile.at(value).deviance; }, low, high, kBits);
 }
 
 /// By the parabola through two points at which the deviance is about one higher.
@@ -164,7 +166,7 @@ FittedParameter fitted_delay(const Parameter& given, double value, const DelayRa
   return number;
 }
 
-/// The place of a parameter among the fitted numbers: behind coefficients and free parameters
+/// The place of a parameter among the numbers of a fit: behind coefficients and free parameters
 /// that come before it.
 std::size_t place_of(const Fit& fit, const SystemModel& system, std::size_t parameter) {
   std::size_t free = 0, before = 0;

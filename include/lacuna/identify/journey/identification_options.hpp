@@ -2,7 +2,7 @@
 #pragma once
 
 #include "lacuna/core/base/stages_done.hpp"
-#include "lacuna/identify/dead_time/dead_times.hpp"
+#include "lacuna/identify/dead_time/dead_time_options.hpp"
 #include "lacuna/identify/forms_beside/form_options.hpp"
 #include "lacuna/identify/validation/advice.hpp"
 #include "lacuna/identify/validation/sync_verdict.hpp"

@@ -67,14 +67,15 @@ inline constexpr const char* kRelationsStage = "relations";
 inline constexpr const char* kSynchronisationStage = "synchronisation";
 
 /// The whole of identify: the pipeline finds equations, basis functions of effects enter where
-/// the library is short of them, inputs act later than they are recorded where equations that do
-/// not fit get better by that (IdentificationOptions::dead_time), the model is driven by the record, judged on samples that it
-/// was not fitted to, and what it lacks is looked for. What cannot be done for want of samples
-/// is a warning of the result.
-/// Each stage leaves a whole answer. Past the deadline of the context those that are left do not
-/// come, and with IdentificationOptions::effort quick neither do forms, advice and relations:
-/// `stages` of the result lists them.
-/// A team divides the first run; members that do not lead get the equations alone.
+/// the library is short of them, inputs act later than they are recorded where free runs are
+/// better by that (IdentificationOptions::dead_time), the model is judged on samples that it
+/// was not fitted to, a plain structure takes the place of one that does not predict where its
+/// free runs are better, the model is driven by the record, and what it lacks is looked for.
+/// What cannot be done for want of samples is a warning of the result. Each stage leaves a
+/// whole answer. Past the deadline of the context those that are left do not come, and with
+/// IdentificationOptions::effort quick neither do forms, advice and relations: `stages` of the
+/// result lists them. A team divides the first run; members that do not lead get the equations
+/// alone.
 /// @param records states n x m and inputs n x p of each record, in their units.
 /// @throws DataError, ArgumentError, ConfigError as identify(), identify_hidden(); Cancelled.
 Identification identify_records(RecordStream records, const IdentificationTask& task = {},

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -8,7 +9,6 @@
 #include "lacuna/core/base/stages_done.hpp"
 #include "lacuna/core/base/types.hpp"
 #include "lacuna/dynamics/attractor/trapping_region.hpp"
-#include "lacuna/identify/dead_time/dead_times.hpp"
 #include "lacuna/identify/pipeline/validation.hpp"
 #include "lacuna/model/equations/ode_model.hpp"
 #include "lacuna/model/invariants/relations.hpp"
@@ -52,6 +52,15 @@ struct EquationFit {
 
   bool converged = true;  ///< of the final regression
   int iterations = 0;
+};
+
+/// By how much later an input acts than it is recorded.
+struct DeadTime {
+  std::string input;
+  double time = 0.0;  ///< time units of the record
+  /// Of the time, where it was found and not given.
+  std::optional<double> standard_error = {};
+  std::optional<std::array<double, 2>> ci95 = {};
 };
 
 /// A model and how it came about.

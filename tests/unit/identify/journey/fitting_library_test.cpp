@@ -141,5 +141,31 @@ TEST(StepTest, AMapKeepsItsInputs) {
   EXPECT_NEAR(model.coefficient(0, "u"), 1.0, 1e-9);
 }
 
+TEST(DeterminedTerms, LibrariesShrinkByDegreesUntilSamplesAreEnough) {
+  Dataset data = step_test({0.0, 0.5, 1.0, 2.0}, 7, 1e-3, 4);
+  std::vector<std::string> notes;
+  const auto size_for = [&](Index samples) {
+    Dataset few = data;
+    few.trajectories[0] = rows_of(data.trajectories[0], 0, samples);
+    return names(with_determined_terms(of_powers_to(3), few, 2.0, notes)).size();
+  };
+  EXPECT_EQ(size_for(20), 10u);
+  EXPECT_THAT(notes, IsEmpty());
+  EXPECT_EQ(size_for(19), 6u) << "degree 2";
+  EXPECT_EQ(size_for(11), 3u) << "degree 1";
+  EXPECT_EQ(size_for(4), 3u) << "and not below";
+  ASSERT_EQ(notes.size(), 3u);
+  EXPECT_THAT(notes[0], HasSubstr("19 samples do not determine 10 candidate terms"));
+}
+
+TEST(DeterminedTerms, LibrariesThatWereNamedStay) {
+  Pipeline own = of_powers_to(3);
+  own.equations = {{"w", {"w", "u"}}};
+  std::vector<std::string> notes;
+  Dataset few = step_test({0.0, 1.0}, 7, 1e-3, 4);
+  few.trajectories[0] = rows_of(few.trajectories[0], 0, 8);
+  EXPECT_EQ(names(with_determined_terms(own, few, 2.0, notes)).size(), 10u);
+}
+
 }  // namespace
 }  // namespace lacuna

@@ -98,7 +98,7 @@ TEST(Judgement, NoiseThatIsNotKnownCannotBeHeldAgainstAModel) {
   const Validation validation = judged(fine, error_of(0.02, 0.03, false, 1.0));
   EXPECT_EQ(validation.verdict, ValidationVerdict::Undecided);
   EXPECT_THAT(validation.sentence, HasSubstr("they do not show"));
-  EXPECT_EQ(judged(fine, error_of(0.2, 0.03, false, 1.0)).verdict,
+  EXPECT_EQ(judged(fine, error_of(0.3, 0.03, false, 1.0)).verdict,
             ValidationVerdict::WrongLibrary);
 }
 

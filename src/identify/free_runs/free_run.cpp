@@ -31,7 +31,7 @@ double independent_samples(const Fit& run) {
     }
   }
   const double rho = squares > 0.0 ? std::max(0.0, products / squares) : 0.0;
-  constexpr double kFewest = 3.0;  // below, ln n is no price
+  constexpr double kFewest = 3.0;  // below, ln n is no penalty
   return std::max(kFewest, count * (1.0 - rho) / (1.0 + rho));
 }
 
@@ -41,9 +41,9 @@ FreeRun free_run(const SystemModel& system, const Dataset& data, const RunContex
   constexpr Index kSamples = 10000;  // a bound of the work
   const Dataset records = thinned(data, kSamples);
   try {
-    const Fit run = fit(system, records, {},
-                        {.restarts = 0, .starts = 0, .effort = Thoroughness::Quick, .rough = true},
-                        context);
+    const Fit run = fit(
+        system, records, {},
+        {.restarts = 0, .starts = 0, .effort = Thoroughness::Quick, .rough = true}, context);
     FreeRun result{run.model, -2.0 * run.log_likelihood, independent_samples(run),
                    run.numbers.size()};
     for (const FittedParameter& number : run.numbers)
@@ -59,8 +59,7 @@ FreeRun free_run(const SystemModel& system, const Dataset& data, const RunContex
 
 bool is_worth(const FreeRun& more, const FreeRun& fewer, double least) {
   if (!fewer.is_finite()) return more.is_finite();
-  const double numbers =
-      static_cast<double>(more.numbers) - static_cast<double>(fewer.numbers);
+  const double numbers = static_cast<double>(more.numbers) - static_cast<double>(fewer.numbers);
   const double gain = fewer.deviance - more.deviance;
   return fewer.independent * gain >
              parameter_penalty(fewer.independent * fewer.samples) * numbers &&

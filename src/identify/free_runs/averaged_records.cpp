@@ -36,8 +36,8 @@ double moment(const Vector& weights, Index half, int power) {
   return sum / factorial;
 }
 
-/// Weights that make of the samples about the middle one the derivative of their mean, per sample
-/// to this order: exact for polynomials of that degree.
+/// Weights that make of the samples about the middle one the derivative of their mean, per
+/// sample to this order: exact for polynomials of that degree.
 Vector weights_of(Index half, int order) {
   const double reach = static_cast<double>(half) + 1.0;
   Powers window = bell();
@@ -105,8 +105,7 @@ Dataset averaged(const Dataset& data, Index half) {
     if (!step || record.samples() < 2 * width) continue;
     Trajectory mean;
     mean.source = record.source;
-    mean.inputs =
-        weighted(about_samples(data, record.inputs), weights_of(half, 0), stride);
+    mean.inputs = weighted(about_samples(data, record.inputs), weights_of(half, 0), stride);
     mean.states.resize(mean.inputs.rows(), data.state_count());
     mean.derivatives.resize(mean.inputs.rows(), data.state_count());
     for (Index k = 0; k < data.state_count(); ++k) {

@@ -1,23 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <array>
-#include <optional>
-#include <string>
 #include <vector>
 
 #include "lacuna/core/base/options.hpp"
+#include "lacuna/identify/pipeline/result.hpp"
 
 namespace lacuna {
-
-/// By how much later an input acts than it is recorded.
-struct DeadTime {
-  std::string input;
-  double time = 0.0;  ///< time units of the record
-  /// Of the time, where it was found and not given.
-  std::optional<double> standard_error = {};
-  std::optional<std::array<double, 2>> ci95 = {};
-};
 
 /// How dead times of inputs are sought.
 struct DeadTimeOptions {
