@@ -17,25 +17,6 @@ PlanInput input() {
   return {"u", -2.0, 6.0, {}, {}, {}, 4};
 }
 
-TEST(InputSignal, StepsAreLevelsOfEqualLength) {
-  Vector design(4);
-  design << 0.0, 1.0, 0.25, 0.5;
-  const Vector u = input_signal(input(), InputFamily::Steps, design, grid(81), 0.1);
-  for (const auto& [t, level] : {std::pair{0, -2.0}, {19, -2.0}, {20, 6.0}, {39, 6.0},
-                                 {40, 0.0}, {60, 2.0}, {80, 2.0}})
-    EXPECT_NEAR(u[t], level, 1e-12) << t;
-}
-
-TEST(InputSignal, RampsPassTheirKnots) {
-  Vector design(5);
-  design << 0.0, 1.0, 1.0, 0.0, 0.5;
-  const Vector u = input_signal(input(), InputFamily::Ramps, design, grid(82), 0.1);
-  EXPECT_NEAR(u[0], -2.0, 1e-12);
-  EXPECT_NEAR(u[10], 2.0, 1e-12) << "half of the way up";
-  EXPECT_NEAR(u[20], 6.0, 1e-12);
-  EXPECT_NEAR(u[80], 2.0, 1e-12);
-}
-
 TEST(InputSignal, PrbsHasTwoLevelsAndBitsOfOneLength) {
   Vector design(4);
   design << 0.25, 0.75, 0.0, 0.3;
@@ -60,15 +41,6 @@ TEST(InputSignal, AChirpGoesFromOneFrequencyToTheOther) {
     EXPECT_NEAR(u[i], 2.0 + 4.0 * std::sin(2.0 * M_PI * double(i) / 80.0), 1e-9);
 }
 
-TEST(InputSignal, AMultisineIsScaledToItsAmplitude) {
-  Vector design = Vector::Constant(10, 0.3);
-  design[0] = 0.5;
-  design[1] = 0.5;
-  const Vector u = input_signal(input(), InputFamily::Multisine, design, grid(400), 0.1);
-  EXPECT_NEAR((u.array() - 2.0).abs().maxCoeff(), 2.0, 1e-9);
-  EXPECT_NEAR(u.head(399).mean(), 2.0, 1e-9) << "whole periods";
-}
-
 TEST(InputSignal, AllFamiliesKeepRangeRateAndHold) {
   PlanInput limited = input();
   limited.rate = 3.0;
@@ -86,13 +58,6 @@ TEST(InputSignal, AllFamiliesKeepRangeRateAndHold) {
         ASSERT_LE(std::abs(u[i] - u[i - 1]), i % 5 == 0 ? 1.5 + 1e-12 : 0.0)
             << to_string(family) << " " << i;
     }
-}
-
-TEST(InputFamilies, HaveNames) {
-  ASSERT_EQ(all_input_families().size(), 6u);
-  for (const InputFamily family : all_input_families())
-    EXPECT_EQ(input_family_named(to_string(family)), family);
-  EXPECT_FALSE(input_family_named("square"));
 }
 
 TEST(ExperimentOf, SamplesAreTakenAtTheDesignedTimes) {

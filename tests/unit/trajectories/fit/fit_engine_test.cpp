@@ -34,21 +34,6 @@ struct Box {
   FitPoint point;
 };
 
-TEST(FitEngine, AFreeRunIsTheSimulation) {
-  Box box;
-  set_substeps(*box.engine, 4);
-  const FitPath path = follow(*box.engine, box.point, {});
-  ASSERT_EQ(box.engine->count(), 2) << "z under the name of w, and y";
-  const Dataset clean = support::grey_box_columns(
-      box.system->model(), {.start = box.point.starts.row(0).transpose(), .noise = 0.0});
-  for (Index c = 0; c < 2; ++c) {
-    const bool is_y = box.engine->records.channels[static_cast<std::size_t>(c)].name == "y";
-    const Vector model = box.engine->records.values.col(c) - path.residuals.col(c);
-    EXPECT_LT((model - clean.trajectories[0].states.col(is_y ? 0 : 1)).cwiseAbs().maxCoeff(),
-              1e-5);
-  }
-}
-
 /// Derivatives by differences of whole runs.
 void expect_derivatives(Box& box, const Gains& gains) {
   const FitPath path = follow(*box.engine, box.point, gains);
@@ -77,13 +62,6 @@ void expect_derivatives(Box& box, const Gains& gains) {
   }
 }
 
-TEST(FitEngine, DerivativesAreThoseOfTheRun) {
-  Box box;
-  expect_derivatives(box, {});
-  set_substeps(*box.engine, 3);
-  expect_derivatives(box, {});
-}
-
 TEST(FitEngine, DerivativesKnowOfTheGains) {
   Box box;
   FitPath filtered;
@@ -94,37 +72,6 @@ TEST(FitEngine, DerivativesKnowOfTheGains) {
   const FitPath again = follow(*box.engine, box.point, gains);
   EXPECT_LT((again.states - filtered.states).cwiseAbs().maxCoeff(), 1e-12)
       << "the gains are those of the path that they give";
-}
-
-TEST(FitEngine, AFilterStaysNearTheRecordOfAnotherModel) {
-  Box box;
-  box.point.parameters(0, 2) *= 3.0;
-  FitPath filtered;
-  const Disturbances disturbances{(Vector(2) << 1.0, 0.5).finished(), 1.0};
-  filter_gains(*box.engine, box.point, disturbances, filtered);
-  EXPECT_LT(filtered.cost, 0.1 * follow(*box.engine, box.point, {}).cost);
-}
-
-TEST(FitEngine, MissingSamplesCountForNothing) {
-  Box box;
-  box.engine->records.valid(7, 0) = 0.0;
-  box.engine->records.values(7, 0) = 1e6;
-  EXPECT_LT(follow(*box.engine, box.point, {}).cost, 1e5);
-}
-
-TEST(FitEngine, PredictionsStartFromCorrectedStates) {
-  Box box;
-  Vector compared;
-  FitPath filtered;
-  box.point.parameters(0, 2) *= 1.5;
-  const Disturbances disturbances{(Vector(2) << 1.0, 0.5).finished(), 1.0};
-  const Gains gains = filter_gains(*box.engine, box.point, disturbances, filtered);
-  const Matrix near = prediction_errors(*box.engine, box.point, gains, 1, compared);
-  EXPECT_EQ(compared[0], 599.0);
-  EXPECT_LT((near.row(1) - filtered.residuals.row(1)).norm(), 1e-12);
-  const Matrix far = prediction_errors(*box.engine, box.point, gains, 20, compared);
-  EXPECT_EQ(compared[0], 29.0);
-  EXPECT_GT(far.norm() / std::sqrt(29.0), near.norm() / std::sqrt(599.0));
 }
 
 /// A rate of 1e6 at steps of 0.1, or of another size.

@@ -24,31 +24,6 @@ struct Walk {
   FitPoint point;
 };
 
-TEST(CorrelationSigma, WhiteResidualsHaveNone) {
-  Walk walk;
-  Random random(5);
-  int significant = 0;
-  for (int trial = 0; trial < 50; ++trial) {
-    Matrix residuals(600, 1);
-    for (double& value : residuals.col(0)) value = random.normal();
-    significant += correlation_sigma(*walk.engine, residuals, 0) > 2.0 ? 1 : 0;
-  }
-  EXPECT_LE(significant, 8) << "1 in 20 by chance";
-}
-
-TEST(CorrelationSigma, SlowResidualsHaveMuch) {
-  Walk walk;
-  Matrix residuals(600, 1);
-  Random random(5);
-  double state = 0.0;
-  for (double& value : residuals.col(0)) value = state = 0.5 * state + random.normal();
-  EXPECT_GT(correlation_sigma(*walk.engine, residuals, 0), 5.0);
-  EXPECT_FALSE(are_white(*walk.engine, residuals));
-  for (double& value : residuals.col(0)) value = random.normal();
-  EXPECT_TRUE(are_white(*walk.engine, residuals));
-  EXPECT_EQ(correlation_sigma(*walk.engine, Matrix::Zero(600, 1), 0), 0.0);
-}
-
 TEST(QualityOf, IsThatOfTheResidualsThatCount) {
   Walk walk;
   FitPath path = follow(*walk.engine, walk.point, {});
@@ -62,25 +37,6 @@ TEST(QualityOf, IsThatOfTheResidualsThatCount) {
   EXPECT_GT(quality.prediction, 0.8 * quality.rmse);
   EXPECT_LT(quality.prediction, 2.0 * quality.rmse);
   ASSERT_EQ(quality.rmse_per_record.size(), 1u);
-}
-
-TEST(GapOf, ComparesTheNumbersAsGivenAndAsFitted) {
-  Walk walk;
-  const Dataset other = support::grey_box(
-      walk.system.model(), {.start = Vector::Constant(1, -1.0), .noise = 0.02, .seed = 9});
-  const ParametrisedModel wrong =
-      walk.system.parametrised().with_values((Vector(2) << -0.9, 0.7).finished());
-  const Matrix usual = (Matrix(1, 2) << 1.0, 0.5).finished();
-  const auto gap = gap_of(wrong, walk.point, other, usual, {}, fit_unknowns(wrong, {}));
-  ASSERT_TRUE(gap);
-  EXPECT_GT(gap->before, 10.0 * gap->after);
-  EXPECT_NEAR(gap->after, 0.02, 0.004);
-  EXPECT_NEAR(gap->noise_floor, 0.02, 0.004);
-  ASSERT_EQ(gap->records.size(), 1u);
-  const Index all = other.samples();
-  EXPECT_FALSE(
-      gap_of(wrong, walk.point, other, usual, {.window = all}, fit_unknowns(wrong, {})))
-      << "nothing is left";
 }
 
 /// dx/dt = -0.5 x + 0.7 u, where the gain of u is each record's own.

@@ -31,22 +31,6 @@ Dataset view_of(const OdeModel& model) {
       model, {.start = (Vector(3) << 1.0, -2.0, 0.5).finished(), .step = 0.02, .noise = 0.001});
 }
 
-TEST(FitRecords, ChannelsAreWhatWasMeasured) {
-  const SystemModel system = parse_ode_system(kText, "m.ode");
-  Dataset view = view_of(system.model());
-  set_mark(view.trajectories[0], 3, 0, Mark::Missing);
-  const FitRecords records = fit_records(system.parametrised(), view);
-  ASSERT_EQ(records.channels.size(), 2u) << "v is made of x, z is hidden";
-  EXPECT_EQ(records.channels[0].formula.to_string(), "x");
-  EXPECT_EQ(records.channels[1].name, "e");
-  EXPECT_EQ(records.channels[1].formula.to_string(), "g*abs(v)");
-  EXPECT_EQ(records.valid(3, 0), 0.0);
-  EXPECT_EQ(records.valid(3, 1), 1.0);
-  EXPECT_EQ(records.values.col(0)[9], view.trajectories[0].states(9, 0));
-  EXPECT_THAT(records.series.holds, ElementsAre(Interpolation::Held));
-  EXPECT_THAT(records.sources, ElementsAre("record"));
-}
-
 TEST(FitRecords, StartsAreMeasuredKnownOrSlopes) {
   const SystemModel system = parse_ode_system(kText, "m.ode");
   const FitRecords records = fit_records(system.parametrised(), view_of(system.model()));
@@ -64,16 +48,6 @@ TEST(FitRecords, ASlopeThatIsNoiseIsNoStart) {
   Dataset view = view_of(system.model());
   view.trajectories[0].states(2, 0) += 1.0;  // 25 per time unit, where rates are about 2
   EXPECT_EQ(fit_records(system.parametrised(), view).starts(0, 1), 0.0);
-}
-
-TEST(FitRecords, WhatIsHiddenIsGuessed) {
-  const SystemModel system =
-      parse_ode_system("input u\ndx/dt = -x + z\ndz/dt = u - 3*z\ny = x\n", "m.ode");
-  const FitRecords records = fit_records(
-      system.parametrised(),
-      support::grey_box(system.model(), {.start = (Vector(2) << 1.0, 2.0).finished()}));
-  EXPECT_THAT(records.guessed, ElementsAre(false, true));
-  EXPECT_EQ(records.starts(0, 1), 0.0);
 }
 
 TEST(FitRecords, SomethingHasToBeMeasured) {

@@ -32,11 +32,6 @@ Vector input_nodes(const Dataset& data, Index substeps) {
   return path.slots.col(1);
 }
 
-TEST(ReferencePath, HeldInputsKeepTheirSamplesBetweenThem) {
-  EXPECT_EQ(input_nodes(ramp(Hold::Zero), 1),
-            Vector({{0.0, 0.0, 0.0, 0.0, 1.5, 3.0, 3.0, 3.0, 1.0, -1.0, -1.0}}));
-}
-
 /// Simpson's rule over the nodes gives the ramp, in however many parts.
 TEST(ReferencePath, TheIntegralOfAHeldInputIsTheRamp) {
   for (const Index substeps : {1, 2, 5}) {
@@ -48,12 +43,6 @@ TEST(ReferencePath, TheIntegralOfAHeldInputIsTheRamp) {
       x += part / 6.0 * (u[i] + 4.0 * u[i + 1] + u[i + 2]);
     EXPECT_NEAR(x, 0.5, 1e-12) << substeps;
   }
-}
-
-TEST(ReferencePath, OtherInputsAreSmooth) {
-  const Vector u = input_nodes(ramp(std::nullopt), 1);
-  EXPECT_DOUBLE_EQ(u[4], 3.0);
-  EXPECT_NE(u[5], 3.0);
 }
 
 }  // namespace

@@ -24,22 +24,6 @@ double rate_at(const Matrix& slots, Index row, const Vector& p) {
   return swing_rate(slots(row, 0), slots(row, 1), slots(row, 2), p);
 }
 
-TEST(Rates, AreTheSumsOfTheModel) {
-  Rates rates(swing());
-  rates.set(kParameters);
-  const Matrix slots = points();
-  Matrix f(3, 2);
-  rates.rate(slots, f);
-  for (Index i = 0; i < 3; ++i) {
-    EXPECT_DOUBLE_EQ(f(i, 0), slots(i, 1));
-    EXPECT_NEAR(f(i, 1), rate_at(slots, i, kParameters), 1e-14);
-    const Vector point = slots.row(i);
-    Vector one(2);
-    rates.rate(point.data(), one.data());
-    EXPECT_DOUBLE_EQ(one[1], f(i, 1)) << "one point as in a block";
-  }
-}
-
 TEST(Rates, OfABlockAreThoseOfItsPoints) {
   Rates rates(swing());
   rates.set(kParameters);
@@ -88,35 +72,6 @@ TEST(Rates, DerivativesAreThoseOfDifferences) {
                   (rate_at(slots, i, above) - rate_at(slots, i, below)) / (2.0 * kStep), 1e-8);
       EXPECT_EQ(rates.column_places()[static_cast<std::size_t>(p)].row, 1);
     }
-}
-
-TEST(Rates, WeightsAfterTheFirstDerivativesAreNew) {
-  Rates rates(swing());
-  Matrix jacobian(3, 3), columns(3, 3), later(3, 3);
-  rates.derivatives(points(), jacobian, columns);
-  rates.set(kParameters);
-  rates.derivatives(points(), later, columns);
-  EXPECT_NEAR(later(0, 2), -0.2, 1e-15) << "dy'/dy is the damping";
-  EXPECT_NEAR(jacobian(0, 2), -0.3, 1e-15);
-}
-
-TEST(Rates, ShapesStandBetweenInputsAndTime) {
-  Rates rates(swing());
-  rates.set(kParameters);
-  ASSERT_EQ(rates.signals(), 2);
-  Matrix slots = Matrix::Zero(1, 5), signals(1, 2);
-  signals << 4.0, 0.25;
-  rates.fill_signals(signals, slots);
-  EXPECT_EQ(slots, (Matrix(1, 5) << 0.0, 0.0, 4.0, 0.9, 0.25).finished());
-  Vector point = Vector::Zero(5);
-  rates.fill_signals(signals.data(), 1, point.data());
-  EXPECT_EQ(point, slots.row(0).transpose());
-}
-
-TEST(Rates, APlainModelHasNoColumns) {
-  Rates rates(swing().model());
-  EXPECT_EQ(rates.columns(), 0);
-  EXPECT_EQ(rates.slots(), 4);
 }
 
 }  // namespace

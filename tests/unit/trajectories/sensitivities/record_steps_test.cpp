@@ -45,18 +45,6 @@ TEST(EndsOfSteps, FollowTheSolutionWithOrderFour) {
   EXPECT_NEAR(std::log2(worst(2) / worst(4)), 4.0, 0.3);
 }
 
-TEST(EndsOfSteps, InputsAreCubicsBetweenNodes) {
-  const Vector time{{0.0, 0.2, 0.5, 0.6, 0.9}};
-  const Variables variables{{"x"}, {"u"}};
-  Rates rates(OdeModel({{"x", ""}}, {{"u", ""}}, {{{Term::parse("u", variables), 1.0}}}));
-  Matrix values(5, 2);
-  values << Vector::Zero(5), time.array().cube();
-  const StepSlots grid(node_slots(time, values, 2), 1, {});
-  const Matrix ends = ends_of_steps(rates, grid, {0, 1, 2, 3}, 4);
-  for (Index i = 0; i < 4; ++i)
-    EXPECT_NEAR(ends(i, 0), 0.25 * (std::pow(time[i + 1], 4) - std::pow(time[i], 4)), 1e-15);
-}
-
 TEST(EndsOfSteps, AreTheSameInBlocksAndWithKnownBegins) {
   constexpr Index kSteps = 300;
   const Variables variables{{"x"}, {"u"}};
@@ -81,15 +69,6 @@ TEST(EndsOfSteps, AreTheSameInBlocksAndWithKnownBegins) {
               1e-14);
     for (const Index i : {0, 127, 128, 299})
       EXPECT_EQ(all(i, 0), ends_of_steps(rates, grid, {i}, parts)(0, 0)) << i;
-  }
-}
-
-TEST(PartsFor, TellsWhatWasTried) {
-  Rates rates = leaking();
-  for (const double accuracy : {1e-7, 1.0, 0.0}) {
-    const FoundParts found = parts_for(rates, slots(), {Vector::Constant(1, accuracy)});
-    EXPECT_EQ(found.tried, all_steps());
-    EXPECT_EQ(found.ends, ends_of_steps(rates, slots(), all_steps(), found.parts.front()));
   }
 }
 

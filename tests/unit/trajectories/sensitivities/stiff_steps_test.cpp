@@ -45,20 +45,6 @@ TEST(StiffSteps, RespondToARateByTheBalanceOfWhatDecaysFast) {
   EXPECT_NEAR(fast(0, 2) * 1e6, 1.0, 1e-3) << "of the rate at the end of the step";
 }
 
-TEST(StiffSteps, WhereAPathAsksForThousandsOfStepsEachThereAreNone) {
-  // x turns 3 000 times within each of the steps between samples.
-  const OdeModel fast = parse_ode("dx/dt = y\ndy/dt = -4e8*x - 0.001*y\n", "fast");
-  const auto slots_for = [](double duration) {
-    const StepGrid grid;
-    Matrix nodes = Matrix::Ones(grid.rows(20), 3);
-    nodes.col(2) = Vector::LinSpaced(nodes.rows(), 0.0, duration);
-    return StepSlots(nodes, 2, {}, grid);
-  };
-  Rates rates(fast);
-  EXPECT_TRUE(implicit_ends(rates, slots_for(1e-3), Vector::Constant(2, 1e-6)));
-  EXPECT_FALSE(implicit_ends(rates, slots_for(19.0), Vector::Constant(2, 1e-6)));
-}
-
 TEST(StiffSteps, ACompleteStiffModelLeavesNoDefect) {
   if (!Cvode::unavailable().empty()) return;
   for (const support::StiffRecord& one :

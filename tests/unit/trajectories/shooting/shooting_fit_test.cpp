@@ -15,32 +15,6 @@ namespace {
 
 using testing::ShootingCase;
 
-TEST(ShootingFit, MinimumHasNoGradientInAnyUnknown) {
-  ShootingCase c;
-  ShootingFit fit{c.plan, c.point, {}};
-  minimise(c.problem, fit, 1e-12, 50, {});
-  EXPECT_TRUE(fit.converged);
-  EXPECT_LT(fit.point.cost, c.point.cost);
-  const testing::DenseProblem dense = testing::dense_problem(c.problem, c.plan, fit.point);
-  const Vector gradient = dense.jacobian.transpose() * dense.residual;
-  const Vector step = dense.jacobian.householderQr().solve(dense.residual);
-  // What a further step would bring, in units in which 1 is a standard error of a parameter.
-  EXPECT_LT(gradient.dot(step), 1e-4);
-  EXPECT_NEAR(fit.point.cost, dense.residual.squaredNorm(), 1e-9 * fit.point.cost);
-}
-
-TEST(ShootingFit, EndsAtTheIterationLimit) {
-  ShootingCase c;
-  ShootingFit fit{c.plan, c.point, {}};
-  minimise(c.problem, fit, 1e-12, 1, {});
-  EXPECT_FALSE(fit.converged);
-  EXPECT_EQ(fit.iterations, 1);
-  ShootingFit coarse{c.plan, c.point, {}};
-  minimise(c.problem, coarse, 1e6, 50, {});
-  EXPECT_TRUE(coarse.converged) << "no step is worth so much";
-  EXPECT_EQ(coarse.iterations, 0);
-}
-
 /// dx/dt = -a x over 20 samples, x(0) = 2, with noise.
 ShootingProblem decay_problem(double a, double noise) {
   const Variables variables{{"x"}, {}};
@@ -81,28 +55,6 @@ TEST(ShootingFit, FindsTheLeastSquaresOfAnExponential) {
   EXPECT_NEAR(fit.point.cost, least, 1e-8);
 }
 
-TEST(ShootingFit, NoStepRaisesTheCost) {
-  for (const double start : {-4.0, -2.0, 0.1, 6.0, 20.0}) {
-    ShootingProblem problem = decay_problem(start, 0.1);
-    ShootingFit fit;
-    fit.plan = equal_windows(problem.record().begins, 20);
-    fit.point.parameters = problem.model().values();
-    fit.point.starts = Matrix::Constant(1, 1, 1.0);
-    problem.evaluate(fit.plan, fit.point);
-    for (int step = 1; step <= 20; ++step) {
-      const double before = fit.point.cost;
-      minimise(problem, fit, 1e-12, 1, {});
-      EXPECT_LE(fit.point.cost, before) << "step " << step << " from " << start;
-    }
-  }
-}
-
-TEST(ShootingFit, DegreesOfFreedomAreResidualsLessUnknowns) {
-  const ShootingCase c;
-  EXPECT_EQ(degrees_of_freedom(c.problem, c.plan), 2 * 41 - 3 - 5 * 2);
-  EXPECT_EQ(degrees_of_freedom(c.problem, equal_windows({0, 25, 41}, 1)), 1) << "at least 1";
-}
-
 TEST(ShootingFit, ResidualSigmaCountsWhatTheFitTook) {
   ShootingCase c;
   const ShootingFit fit{c.plan, c.point, {}};
@@ -119,13 +71,6 @@ TEST(ShootingFit, ResidualSigmaCountsWhatTheFitTook) {
   const double median = sizes[20] / 0.6744897501960817;  // that of |normal| is 0.6745
   EXPECT_NEAR(residual_sigma(c.problem, fit, true, Vector{{9.0, 4.0}})[1],
               0.2 * median * std::sqrt(41.0 / 37.0), 1e-12);
-}
-
-TEST(ShootingFit, StartsAreTheStatesAtTheFirstSamples) {
-  Matrix states(6, 2);
-  states << 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11;
-  const Matrix starts = starts_of({{0, 2, 2}, {2, 3, 3}, {5, 1, 0}}, states);
-  EXPECT_EQ(starts, (Matrix{{0, 1}, {4, 5}, {10, 11}}));
 }
 
 TEST(ShootingFit, StepsAreAsFineAsTheNoiseAsks) {

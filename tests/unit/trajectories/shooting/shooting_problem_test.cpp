@@ -57,16 +57,6 @@ TEST(ShootingProblem, WindowsAreTheRowsOfTheDenseProblem) {
   }
 }
 
-TEST(ShootingProblem, ReducedIsTheDenseProblemWithoutInitialStates) {
-  ShootingCase c;
-  const DenseProblem dense = dense_problem(c.problem, c.plan, c.point);
-  Matrix rows(dense.jacobian.rows(), dense.parameters() + 1);
-  rows << dense.jacobian.rightCols(dense.parameters()), dense.residual;
-  const Matrix rest = dense.without_starts(rows), gram = rest.transpose() * rest;
-  const Matrix reduced = c.problem.linearise(c.plan, c.point).reduced;
-  EXPECT_LT((reduced.transpose() * reduced - gram).norm(), 1e-6 * gram.norm());
-}
-
 TEST(ShootingProblem, StepIsThatOfTheDenseProblem) {
   ShootingCase c;
   const DenseProblem dense = dense_problem(c.problem, c.plan, c.point);
@@ -85,27 +75,6 @@ TEST(ShootingProblem, StepIsThatOfTheDenseProblem) {
                 1e-5 * step.decrease)
         << damping;
   }
-}
-
-TEST(ShootingProblem, CostIsTheSumOfSquaresAndPriors) {
-  ShootingCase c;
-  const DenseProblem dense = dense_problem(c.problem, c.plan, c.point);
-  EXPECT_NEAR(c.point.cost, dense.residual.squaredNorm(), 1e-9 * c.point.cost);
-  EXPECT_TRUE(c.point.finite);
-  const Prior prior = *c.problem.model().priors()[0];
-  ShootingPoint other = c.point;
-  other.parameters[0] = prior.value;
-  c.problem.evaluate(c.plan, other);
-  EXPECT_NEAR(other.cost, c.problem.residuals(c.plan, other).squaredNorm(), 1e-9 * other.cost);
-}
-
-TEST(ShootingProblem, ResidualsAreMeasuredLessSimulatedInUnitsOfTheNoise) {
-  ShootingCase c;
-  const Matrix r = c.problem.residuals(c.plan, c.point);
-  const Matrix& x = c.point.orbits.samples;
-  EXPECT_NEAR(r(7, 0), (c.problem.record().values(7, 0) - x(7, 0)) / 0.1, 1e-12);
-  EXPECT_NEAR(r(30, 1), (c.problem.record().values(30, 1) - x(30, 1)) / 0.2, 1e-12);
-  EXPECT_EQ(c.point.orbits.samples.row(c.plan[2].first), c.point.starts.row(2));
 }
 
 TEST(ShootingProblem, HubersLossIsLinearOutside) {
@@ -139,23 +108,6 @@ TEST(ShootingProblem, StatesWithoutAColumnHaveNoRows) {
   const Vector expected = dense_step(dense, damping_of(dense, 0.3));
   EXPECT_LT((step.common - expected.tail(dense.parameters())).norm(),
             1e-4 * expected.tail(dense.parameters()).norm());
-}
-
-TEST(ShootingProblem, SensitivitiesAreDifferencesOfSimulations) {
-  ShootingCase c;
-  const DenseProblem dense = dense_problem(c.problem, c.plan, c.point);
-  const Index p = dense.parameters(), n = c.problem.record().samples();
-  Index visited = 0;
-  c.problem.sensitivities(c.plan, c.point, [&](Index w, Index sample, const Matrix& s) {
-    ++visited;
-    for (Index q = 0; q < 2; ++q) {
-      const double sigma = c.problem.sigma()[q];
-      const auto row = dense.jacobian.row(q * n + sample);
-      EXPECT_LT((s.row(q).head(2) - sigma * row.segment(2 * w, 2)).norm(), 1e-6);
-      EXPECT_LT((s.row(q).tail(p) - sigma * row.tail(p)).norm(), 1e-6);
-    }
-  });
-  EXPECT_EQ(visited, n);
 }
 
 TEST(ShootingProblem, DirectionsThatAreNotDeterminedGetNothing) {

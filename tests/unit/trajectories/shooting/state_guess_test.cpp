@@ -47,13 +47,6 @@ Matrix guessed(const ParametrisedModel& model, const Dataset& data, double sigma
   return guess_states(model, record, rates, signals, Vector::Constant(1, sigma));
 }
 
-TEST(StateGuess, MeasuredStatesAreTheSamples) {
-  const Dataset data = sines(0.1);
-  const Matrix states = guessed(chain("v", "q"), data, 0.1);
-  EXPECT_EQ(states.col(0).head(200), data.trajectories[0].states.col(0));
-  EXPECT_EQ(states.col(0).tail(100), data.trajectories[1].states.col(0));
-}
-
 TEST(StateGuess, AnotherStateSolvesTheEquationItStandsIn) {
   const Matrix states = guessed(chain("v", "q"), sines(0.0), 0.0);
   for (Index i = 0; i < 300; ++i) {

@@ -96,29 +96,5 @@ TEST(WindowSearch, TwiceAsLongWindowsKnowTheParametersLessWell) {
   }
 }
 
-TEST(WindowSearch, ParametersAreTheLeastSquaresOfTheChosenWindows) {
-  InexactCase c;
-  const ShootingFit found = search_windows(c.problem, c.fit, c.search(), {});
-  const ShootingFit again = c.fit_of(found.plan);
-  const Index p = found.point.parameters.size();
-  const Vector error =
-      covariance_of(found.linear.reduced.topLeftCorner(p, p)).diagonal().cwiseSqrt();
-  EXPECT_LT((found.point.parameters - again.point.parameters)
-                .cwiseQuotient(error)
-                .cwiseAbs()
-                .maxCoeff(),
-            0.1 * std::sqrt(found.point.cost));
-}
-
-TEST(WindowSearch, TooFewWindowsForErrorsLeaveTheFitAsItIs) {
-  InexactCase c;
-  const ShootingFit whole = c.fit_of(equal_windows(c.problem.record().begins, 800));
-  InexactWindows search = c.search();
-  search.shortest = 800;  // no halving: nothing has a score
-  const ShootingFit found = search_windows(c.problem, whole, search, {});
-  EXPECT_EQ(found.plan.size(), 1u);
-  EXPECT_EQ(found.point.parameters, whole.point.parameters);
-}
-
 }  // namespace
 }  // namespace lacuna

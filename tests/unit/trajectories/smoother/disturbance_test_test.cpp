@@ -29,13 +29,6 @@ TEST(Structure, IsNotSignificantInACompleteModel) {
   for (const auto& structure : structures) EXPECT_LT(structure.sigma, 3.5);
 }
 
-TEST(Structure, RatesAreThoseOfThePath) {
-  const Assimilation fit = support::assimilated(support::hidden_record(support::nothing, 0.01));
-  const Vector& v = fit.records[0].path.col(1);
-  EXPECT_NEAR(rate_rms(fit)[0], std::sqrt(v.squaredNorm() / static_cast<double>(v.size())),
-              0.02 * rate_rms(fit)[0]);
-}
-
 TEST(Structure, TheTotalCountsEveryEquationInUnitsOfItsRate) {
   Assimilation fit = support::assimilated(support::hidden_record(support::nothing, 0.01));
   fit.noise.disturbance = Vector{{0.2, 0.6}};

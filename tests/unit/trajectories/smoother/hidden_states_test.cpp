@@ -47,22 +47,6 @@ TEST(HiddenStates, PathFollowsTheMeasuredStates) {
   EXPECT_EQ(record.states(100, 0), std::sin(record.time[100])) << "measured values stay";
 }
 
-TEST(HiddenStates, PathStaysWhereTheModelHasNoRate) {
-  const OdeModel model = parse_ode("dx/dt = -x\ndz/dt = -3 + sqrt(z)\n", "test");
-  const Dataset data = with_hidden_paths(model, sine(model), {false, true}, Vector{{0.0, 1.0}});
-  EXPECT_TRUE(data.trajectories.front().states.allFinite());
-}
-
-TEST(HiddenStates, BeginsAreARangeApart) {
-  const OdeModel model = parse_ode("dx/dt = -x\ndz/dt = 1\n", "test");
-  const Dataset data = with_hidden_paths(model, sine(model), {false, true}, Vector::Zero(2));
-  const auto begins = hidden_begins(data, {false, true}, Vector::Zero(2));
-  ASSERT_EQ(begins.size(), 3u);
-  EXPECT_EQ(begins[0][1], 0.0);
-  EXPECT_NEAR(begins[1][1], 20.0, 1e-9);
-  EXPECT_NEAR(begins[2][1], -20.0, 1e-9);
-}
-
 TEST(HiddenStates, SeveralAlsoBeginARangeApartTogether) {
   const OdeModel model = parse_ode("dx/dt = -x\ndz/dt = 1\ndw/dt = 2\n", "test");
   const std::vector<bool> hidden{false, true, true};

@@ -24,15 +24,5 @@ TEST(OutlierCheck, KeepsWhatThePathDoesNotExplain) {
   EXPECT_THAT(check.notes, ::testing::ElementsAre("1 outlier of q was left out"));
 }
 
-TEST(OutlierCheck, HasNothingToSayOfCleanRecords) {
-  const Dataset data = support::hidden_record(support::nothing, 0.01);
-  const Matrix none = Matrix::Zero(data.samples(), 2);
-  const OutlierCheck check =
-      check_outliers(data.states, assimilate(support::oscillator(), as_measured(data, {none}),
-                                             support::oscillator_fit_options(), RunContext{}));
-  EXPECT_FALSE(check.any_false);
-  EXPECT_TRUE(check.notes.empty());
-}
-
 }  // namespace
 }  // namespace lacuna

@@ -104,17 +104,6 @@ TEST(Smoother, SumsOfColouredNoiseAreTheGradientToo) {
   }
 }
 
-TEST(Smoother, ABridgedStepAddsNothingToTheSums) {
-  GaussianCase made = mixed_case();
-  const SmoothedRecord some = smoothed(made);
-  made.noise.disturbance[1] *= 1.0 + 1e-9;
-  made.record.bridge.row(1).setConstant(40.0);
-  const SmoothedRecord all = smoothed(made);
-  EXPECT_GT(some.expected[1], 0.0);
-  EXPECT_EQ(all.expected[1], 0.0);
-  EXPECT_EQ(all.found[1], 0.0);
-}
-
 TEST(Smoother, WithoutDisturbancesThePathIsASolution) {
   GaussianCase made = support::random_case(2, 15, 8);
   made.noise.disturbance.setZero();

@@ -12,20 +12,6 @@
 namespace lacuna {
 namespace {
 
-TEST(SpectralLines, FindFrequencyAndPhaseOfATone) {
-  constexpr double kFrequency = 1.3, kPhase = 0.7;
-  const auto tone = [](double t, double, double) {
-    return 0.5 * std::sin(2.0 * std::numbers::pi * kFrequency * t + kPhase);
-  };
-  const Assimilation fit = support::assimilated(support::hidden_record(tone, 1e-3));
-  const std::vector<SpectralLine> lines = spectral_lines(fit, 1);
-  ASSERT_EQ(lines.size(), 1u);  // dq/dt = v holds exactly
-  EXPECT_EQ(lines[0].equation, 1);
-  const double resolution = 1.0 / (fit.records.front().time.tail<1>()[0]);
-  EXPECT_NEAR(lines[0].frequency, kFrequency, 0.25 * resolution);
-  EXPECT_NEAR(std::remainder(lines[0].phase - kPhase, 2.0 * std::numbers::pi), 0.0, 0.8);
-}
-
 TEST(ModulationLines, FindWhereACoefficientSwings) {
   constexpr double kFrequency = 0.35, kPhase = 0.7;
   const auto swinging = [](double t, double q, double) {

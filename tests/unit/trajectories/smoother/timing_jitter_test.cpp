@@ -37,11 +37,5 @@ TEST(TimingJitter, IsHowFarTheTimesScatter) {
   }
 }
 
-TEST(TimingJitter, OfEvenNoiseThereIsNone) {
-  const TimingJitter found =
-      timing_jitter(support::assimilated(support::hidden_record(support::nothing, 0.01)));
-  EXPECT_LT(found.sigma, 3.0);
-}
-
 }  // namespace
 }  // namespace lacuna

@@ -50,11 +50,6 @@ TEST(UnseenChanges, TheScaleOfAHiddenStateIsOne) {
   EXPECT_FALSE(unseen.unseen_states[1]);
 }
 
-TEST(UnseenChanges, WhatAHiddenStateDoesToASeenOneIsItsUnit) {
-  // Its scale is told by c2 in dc1/dt and by c1 in dc2/dt: the first is how it is seen.
-  EXPECT_EQ(unseen_of(kCompartments, {false, true}).units, std::vector<Index>{1});
-}
-
 /// kCompartments with an effect in dc2/dt, whose numbers are estimated as well.
 UnseenChanges unseen_with(const std::string& effect, const std::vector<NumberChange>& numbers) {
   const OdeModel nominal = parse_ode(kCompartments, "test");
@@ -95,17 +90,6 @@ TEST(UnseenChanges, AnEffectShowsWhatMixesStates) {
 TEST(UnseenChanges, AFixedOrKnownCoefficientGivesTheScale) {
   EXPECT_EQ(unseen_of(kCompartments, {false, true}, {{{0, 1}, 0.3, 0.01}}).coefficients.cols(),
             0);
-}
-
-TEST(UnseenChanges, NothingIsUnseenWhereNothingIsFree) {
-  const OdeModel model = parse_ode(kCompartments, "test");
-  EXPECT_EQ(
-      unseen_changes(model, records_of(model), {false, true}, {{}, {}, {}}).coefficients.size(),
-      0);
-}
-
-TEST(UnseenChanges, NothingIsUnseenWhereAllIsMeasured) {
-  EXPECT_EQ(unseen_of(kCompartments, {}).coefficients.cols(), 0);
 }
 
 TEST(UnseenChanges, AnOffsetOfAHiddenStateIsOne) {

@@ -41,32 +41,6 @@ double deviance_of(const VarianceCase& made, const NoiseModel& noise) {
   return filter_deviance(made.records[0], made.measured[0], Matrix(), noise);
 }
 
-TEST(VarianceFit, FindsTheNoiseFromFarAway) {
-  const VarianceCase made = make_variance_case(support::nothing);
-  for (const double start : {0.001, 0.1}) {
-    const SmoothedNoise found =
-        VarianceFit(Vector::Constant(2, 1e-9)).run(made.view(), noise_of(start, 0.01), 40);
-    EXPECT_NEAR(*found.noise.measurement[0], 0.01, 0.001);
-    EXPECT_NEAR(*found.noise.measurement[1], 0.02, 0.002);
-    EXPECT_NEAR(found.deviance, deviance_of(made, found.noise), 1e-6);
-  }
-}
-
-TEST(VarianceFit, NoNeighbourIsMoreLikely) {
-  const VarianceCase made =
-      make_variance_case([](double t, double, double) { return std::sin(3.0 * t); });
-  const SmoothedNoise found =
-      VarianceFit(Vector::Constant(2, 1e-9)).run(made.view(), noise_of(0.02, 0.1), 40);
-  for (const double factor : {0.95, 1.05}) {
-    NoiseModel other = found.noise;
-    other.disturbance[1] *= factor;
-    EXPECT_GT(deviance_of(made, other), found.deviance - 0.05);
-    other = found.noise;
-    *other.measurement[0] *= factor;
-    EXPECT_GT(deviance_of(made, other), found.deviance - 0.05);
-  }
-}
-
 TEST(VarianceFit, GradientIsThatOfTheDeviance) {
   const VarianceCase made = make_variance_case(support::nothing);
   NoiseModel noise = noise_of(0.015, 0.05);
@@ -79,19 +53,6 @@ TEST(VarianceFit, GradientIsThatOfTheDeviance) {
   EXPECT_NEAR((deviance_of(made, above) - deviance_of(made, below)) / (2.0 * reach),
               here.gradient[0], 0.01 * std::abs(here.gradient[0]));
   above = below = noise;
-  above.coloured[0]->deviation *= std::exp(reach);
-  below.coloured[0]->deviation *= std::exp(-reach);
-  EXPECT_NEAR((deviance_of(made, above) - deviance_of(made, below)) / (2.0 * reach),
-              here.gradient[2], 0.001 * std::abs(here.gradient[2]));
-}
-
-TEST(VarianceFit, GradientOfSlowNoiseCountsWhereItBegins) {
-  const VarianceCase made = make_variance_case(support::nothing);
-  NoiseModel noise = noise_of(0.015, 0.05);
-  noise.coloured[0] = ColouredNoise{0.01, 20.0};  // of 30 s
-  const SmoothedNoise here = VarianceFit(Vector::Constant(2, 1e-9)).run(made.view(), noise, 0);
-  const double reach = 1e-4;
-  NoiseModel above = noise, below = noise;
   above.coloured[0]->deviation *= std::exp(reach);
   below.coloured[0]->deviation *= std::exp(-reach);
   EXPECT_NEAR((deviance_of(made, above) - deviance_of(made, below)) / (2.0 * reach),
@@ -182,19 +143,6 @@ TEST(VarianceFit, ReachesTheLargestLikelihoodWithColouredNoise) {
         VarianceFit(Vector::Constant(1, 1e-9)).run(GaussianData(made).view(), start, 60);
     EXPECT_NEAR(found.deviance, least, 0.25) << factor;  // half a standard deviation
   }
-}
-
-TEST(VarianceFit, RecordsAddUp) {
-  const support::GaussianCase made = support::random_case(2, 20, 4);
-  GaussianData once(made), twice(made);
-  twice.records.push_back(made.record);
-  twice.measured.push_back(made.measured);
-  const Vector floor = Vector::Constant(2, 1e-9);
-  const SmoothedNoise one = VarianceFit(floor).run(once.view(), made.noise, 0);
-  const SmoothedNoise two = VarianceFit(floor).run(twice.view(), made.noise, 0);
-  EXPECT_NEAR(two.deviance, 2.0 * one.deviance, 1e-9);
-  EXPECT_LT((two.gradient - 2.0 * one.gradient).norm(), 1e-9);
-  EXPECT_LT((two.weight - 2.0 * one.weight).norm(), 1e-9);
 }
 
 TEST(VarianceFit, WhiteNoiseMovesOnlyWhereItMay) {

@@ -45,11 +45,6 @@ bool contains(const std::vector<Coefficient>& all, const std::vector<Coefficient
   return std::includes(all.begin(), all.end(), some.begin(), some.end());
 }
 
-TEST(CandidateScreening, BeginsWhereThereAreMany) {
-  EXPECT_FALSE(is_wide(ScreeningCase(6).task));  // 6 x 28
-  EXPECT_TRUE(is_wide(ScreeningCase(8).task));   // 8 x 45
-}
-
 TEST(CandidateScreening, TrueTermsAreAmongThePlausibleOnes) {
   ScreeningCase c(8);
   const ScreenedCandidates found = screen_candidates(c.task, c.search, {});
@@ -78,23 +73,6 @@ TEST(CandidateScreening, ColumnsOfTheModelStay) {
   const ScreenedCandidates found = screen_candidates(c.task, c.search, {});
   EXPECT_TRUE(contains(found.plausible, {odd}));
   EXPECT_FALSE(contains(found.worth, {odd}));
-}
-
-TEST(CandidateScreening, DoesNotDependOnThreads) {
-  ScreeningCase one(8), three(8);
-  RunContext context;
-  context.threads = 3;
-  EXPECT_EQ(screen_candidates(one.task, one.search, {}).plausible,
-            screen_candidates(three.task, three.search, context).plausible);
-}
-
-TEST(CandidateScreening, EndsOnRequest) {
-  ScreeningCase c(8);
-  std::stop_source source;
-  source.request_stop();
-  RunContext context;
-  context.stop = source.get_token();
-  EXPECT_THROW(screen_candidates(c.task, c.search, context), Cancelled);
 }
 
 }  // namespace

@@ -76,14 +76,5 @@ TEST(NegligibleColumns, StayWhereTheSizeIsZeroOrAPenaltyWasGiven) {
   EXPECT_TRUE(leave_out_negligible(*priced.task, *priced.search, {}, kContext).empty());
 }
 
-TEST(NegligibleColumns, StayWhereTheyExplainNearlyAllThatIsLeft) {
-  Searched c;
-  const auto left = leave_out_negligible(*c.task, *c.search, {.effect_size = 1.0}, kContext);
-  ASSERT_FALSE(left.empty());
-  for (const LeftOut& out : left) EXPECT_EQ(out.threshold, 1.0) << "what they were held to";
-  // y in the second equation is a twentieth of the rate and lowers residuals ten thousandfold.
-  EXPECT_TRUE(c.names().count("1 y"));
-}
-
 }  // namespace
 }  // namespace lacuna

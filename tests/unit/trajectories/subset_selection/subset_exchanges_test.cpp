@@ -61,21 +61,5 @@ TEST(SubsetExchanges, TheReplacementIsTheColumnThatLeavesLeast) {
   }
 }
 
-TEST(SubsetExchanges, DirectionsAreThoseThatOnlyOneMemberHas) {
-  const SubsetProblem problem = dependent_columns(3);
-  const std::vector<Index> subset{1, 4, 6};
-  const SubsetExchanges exchanges = exchanges_of(problem, subset);
-  for (Index i = 0; i < 3; ++i) {
-    EXPECT_NEAR(exchanges.directions.col(i).norm(), 1.0, 1e-12);
-    for (Index j = 0; j < 3; ++j) {
-      if (i == j) continue;
-      const double fraction = exchanges.directions.col(i).dot(
-          problem.scaled.col(subset[static_cast<std::size_t>(j)]));
-      EXPECT_NEAR(fraction, 0.0, 1e-10) << i << j;
-    }
-  }
-  EXPECT_NEAR(exchanges.residual, fit_subset(problem, subset).residual, 1e-9);
-}
-
 }  // namespace
 }  // namespace lacuna

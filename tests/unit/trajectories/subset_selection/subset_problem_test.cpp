@@ -40,25 +40,5 @@ TEST(SubsetProblem, CoefficientsAreThoseOfTheRows) {
   EXPECT_NEAR(fit_subset(problem, {9, 4}).residual, left, 1e-9 * left);
 }
 
-TEST(SubsetProblem, AColumnOfZerosBringsNothing) {
-  Matrix rows = correlated_rows(1.0);
-  rows.col(3).setZero();
-  const SubsetProblem problem = subset_problem(triangle_of(rows));
-  EXPECT_EQ(problem.columns(), 12);
-  EXPECT_EQ(gains_of(problem, {1, 4})[3], 0.0);
-}
-
-TEST(SubsetProblem, ColumnsHaveToBeThere) {
-  EXPECT_THROW(subset_problem(Matrix()), ArgumentError);
-  const SubsetProblem problem = subset_problem(Matrix::Identity(3, 3));
-  for (const Index j : {Index{-1}, Index{2}}) {
-    EXPECT_THROW(fit_subset(problem, {j}), ArgumentError);
-    EXPECT_THROW(gains_of(problem, {0, j}), ArgumentError);
-    EXPECT_THROW(solution_of(problem, {j}), ArgumentError);
-    EXPECT_THROW(variances_of(problem, {j}), ArgumentError);
-  }
-  EXPECT_THROW(fit_subset({Matrix::Identity(3, 3), Vector::Ones(3)}, {0}), ArgumentError);
-}
-
 }  // namespace
 }  // namespace lacuna

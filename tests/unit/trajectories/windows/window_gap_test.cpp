@@ -50,28 +50,6 @@ TEST(WindowGap, IsAboveAFloorByItsScatterOverBlocks) {
   EXPECT_EQ(WindowSquares{}.above(1.0), 0.0) << "nothing was compared";
 }
 
-TEST(WindowGap, WhatOneBlockIsOffIsNoMoreThanItsScatterHoweverFarItIs) {
-  const WindowSquares uneven{100.0, 3.0, 0, {0.5, 0.5, 99.0}};
-  EXPECT_LT(uneven.above(0.1), 1.0);
-}
-
-TEST(WindowGap, LeavesOutOmittedSamples) {
-  const Dataset data = support::hidden_record(support::nothing, 0.01, 3);
-  const Assimilation fit = support::assimilated(data);
-  const Vector scale = Vector::Ones(2);
-  Matrix measured = fit.measured[0], omitted = Matrix::Zero(measured.rows(), 2);
-  const auto gap = [&] {
-    return window_squares(fit.records[0], {measured, omitted}, fit.noise, scale, {0, 100});
-  };
-  const WindowSquares clean = gap();
-  measured(30, 0) += 100.0;
-  EXPECT_GT(gap().rms(), 10.0 * clean.rms());
-  omitted(30, 0) = 1.0;
-  EXPECT_NEAR(gap().rms(), clean.rms(), 0.05 * clean.rms());
-  EXPECT_EQ(gap().count, clean.count - 1.0);
-  EXPECT_EQ(clean.blocks.size(), static_cast<std::size_t>(measured.rows() / 100 * 5));
-}
-
 TEST(WindowGap, CountsWhatLastsAndNotWhatGoesToAndFro) {
   const auto gap_of = [](const support::Hidden& hidden) {
     return window_gap(support::assimilated(support::hidden_record(hidden, 1e-4, 3)));

@@ -31,13 +31,6 @@ TEST(Windows, EndWhereErrorsHaveGrown) {
   EXPECT_EQ(plan.back().intervals, plan.back().samples - 1);
 }
 
-TEST(Windows, AreNotShorterThanAsked) {
-  WindowLimits limits{.growth = 3.0, .turn = 1e9, .shortest = 7, .longest = 1000};
-  const auto plan = plan_windows({0, 100}, constant_growth(100, 10.0), limits);
-  ASSERT_FALSE(plan.empty());
-  for (const Window& window : plan) EXPECT_GE(window.samples, 7);
-}
-
 TEST(Windows, TurningStatesEndWindowsWithoutGrowth) {
   ErrorGrowth rotation{Matrix(50, 4), 2};
   const double angle = 0.5;
@@ -55,11 +48,6 @@ TEST(Windows, NeverCrossTrajectories) {
   EXPECT_EQ(covered(plan), 40);
   for (const Window& window : plan)
     EXPECT_TRUE(window.first >= 25 || window.first + window.samples <= 25);
-}
-
-TEST(Windows, LargestGrowthIsThatOfTheLongestWindow) {
-  const ErrorGrowth growth = constant_growth(30, 1.1);
-  EXPECT_NEAR(largest_growth(equal_windows({0, 30}, 10), growth), std::pow(1.1, 9), 1e-9);
 }
 
 }  // namespace

@@ -66,21 +66,6 @@ TEST(MarginalLikelihood, IsThatOfTheLinearMixedModel) {
   EXPECT_NEAR(found.loss, expected, 1e-6);
 }
 
-TEST(MarginalLikelihood, OfNoSpreadIsThatOfIndependentValues) {
-  const SystemModel system = support::line_model();
-  Population population(system, support::lines(system, 3, 0.0, 0.0, 0.1, 2));
-  const PopulationState found =
-      population.at(Vector{{2.0, 1.0}}, Vector::Zero(2), Vector{{0.1}});
-  double expected = 0.0;
-  const FitRecords& records = population.engine.records;
-  ASSERT_EQ(records.samples(), 24);
-  for (Index n = 0; n < records.samples(); ++n) {
-    const double residual = (records.values(n, 0) - 2.0 - records.series.time[n]) / 0.1;
-    expected += std::log(2.0 * std::numbers::pi * 0.01) + residual * residual;
-  }
-  EXPECT_NEAR(found.loss, expected, 1e-8);
-}
-
 // exp(-k t) with a lognormal k is no normal: Laplace's approximation beside the sum over a fine
 // grid of z, which is exact to 1e-10.
 TEST(MarginalLikelihood, IsNearTheIntegralWhereTheModelIsNotLinear) {
@@ -115,27 +100,6 @@ TEST(MarginalLikelihood, IsNearTheIntegralWhereTheModelIsNotLinear) {
     }
     EXPECT_NEAR(found.log_likelihood(static_cast<std::size_t>(r)), std::log(integral), 0.05);
   }
-}
-
-TEST(MarginalLikelihood, CoordinatesGoThereAndBack) {
-  const SystemModel system = parse_ode_system(
-      "param k = 0.5 varies */ 1.3\nparam c = -1 varies +- 0.2\nparam d = 2 in 1..4\n"
-      "dx/dt = -k*x + c + d\ny = x\n",
-      "m.ode");
-  const Dataset data = support::lines(system, 4, 0.1, 0.1, 0.1, 4);
-  const Population population(system, data);
-  const PopulationValues values{Vector{{0.6, -1.2, 3.0}}, Vector{{0.3, 0.1}}, Vector{{0.2}}};
-  const PopulationCoordinates coordinates(population.problem, values);
-  EXPECT_EQ(coordinates.size(), 6);
-  EXPECT_TRUE(coordinates.is_logarithmic(0)) << "it varies by a factor";
-  EXPECT_FALSE(coordinates.is_logarithmic(1));
-  EXPECT_TRUE(coordinates.is_logarithmic(2)) << "its range is above 0";
-  const PopulationValues again = coordinates.values(coordinates.of(values));
-  EXPECT_TRUE(again.parameters.isApprox(values.parameters, 1e-14));
-  EXPECT_TRUE(again.spreads.isApprox(values.spreads, 1e-14));
-  EXPECT_TRUE(again.sizes.isApprox(values.sizes, 1e-14));
-  EXPECT_DOUBLE_EQ(coordinates.lower()[2], 0.0) << "log 1";
-  EXPECT_DOUBLE_EQ(coordinates.upper()[2], std::log(4.0));
 }
 
 }  // namespace

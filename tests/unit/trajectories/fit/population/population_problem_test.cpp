@@ -23,23 +23,5 @@ TEST(VaryingParameter, DerivativesAreThoseOfItsValue) {
   }
 }
 
-TEST(PopulationProblem, SizesOfNoiseAreThoseThatAreNotGiven) {
-  const SystemModel system = parse_ode_system(
-      "param k = 0.5 varies */ 1.3\ndx/dt = -k*x\ny = 2*x noise both\n", "m.ode");
-  const Dataset data = support::lines(system, 3, 0.1, 0.1, 0.1, 1);
-  const ParametrisedModel model = system.parametrised();
-  FitEngine engine = fit_engine(model, fit_records(model, data));
-  const PopulationProblem problem = population_problem(system, engine, fit_unknowns(model, {}));
-  ASSERT_EQ(problem.sizes.size(), 2u);
-  ASSERT_EQ(problem.varying.size(), 1u);
-  EXPECT_DOUBLE_EQ(problem.varying[0].start, std::log(1.3));
-  EXPECT_EQ(problem.free_starts, std::vector<Index>{0});
-  EXPECT_EQ(problem.own(), 2);
-  set_noise_sizes(problem.sizes, Vector{{0.2, 0.3}}, engine);
-  EXPECT_TRUE(noise_sizes(engine, problem.sizes).isApprox(Vector{{0.2, 0.3}}, 1e-15));
-  EXPECT_DOUBLE_EQ(*engine.laws[0]->sized().constant, 0.2);
-  EXPECT_DOUBLE_EQ(*engine.laws[0]->sized().fraction, 0.3);
-}
-
 }  // namespace
 }  // namespace lacuna

@@ -82,27 +82,5 @@ TEST(PopulationSearch, OfBalancedLevelsIsTheAnalysisOfVariance) {
   EXPECT_FALSE(errors.may_be_zero[0]);
 }
 
-TEST(PopulationSearch, FindsNoSpreadWhereThereIsNone) {
-  const SystemModel system = level_model();
-  int without = 0;
-  for (std::uint64_t seed = 1; seed <= 6; ++seed) {
-    Search search(system, levels(system, 0.0, seed));
-    const PopulationMinimum found = search.run();
-    const Levels expected(search.engine);
-    EXPECT_EQ(found.values.spreads[0] == 0.0, expected.spread < 0.0) << seed;
-    if (found.values.spreads[0] > 0.0) continue;
-    ++without;
-    EXPECT_TRUE(found.no_spread[0]);
-    const double all = (expected.between + expected.within) / 54.0;  // all values as one sample
-    EXPECT_NEAR(found.values.sizes[0], std::sqrt(all), 1e-5) << seed;
-    const PopulationErrors errors =
-        errors_of_population(search.engine, search.problem, found, {});
-    ASSERT_TRUE(errors.at_most[0]) << seed;
-    EXPECT_GT(*errors.at_most[0], 0.02);
-    EXPECT_LT(*errors.at_most[0], 0.4);
-  }
-  EXPECT_GE(without, 1);
-}
-
 }  // namespace
 }  // namespace lacuna

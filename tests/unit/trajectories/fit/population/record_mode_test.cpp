@@ -76,24 +76,5 @@ TEST(RecordMode, IsAMaximumFromFarAway) {
     }
 }
 
-TEST(RecordMode, StaysInTheRangeOfTheParameter) {
-  const SystemModel system = support::line_model("varies +- 0.4", "varies +- 0.2");
-  std::vector<Parameter> parameters = system.parameters();
-  parameters[0].min = 1.5;
-  parameters[0].max = 2.0;
-  const SystemModel narrow(system.symbolic(), parameters);
-  const Dataset data = support::individuals(
-      narrow, 2, sample_times(0.0, 0.5, 8), 1,
-      [](Random&) { return [](double t, Random&) { return 5.0 + t; }; });
-  const ParametrisedModel model = narrow.parametrised();
-  FitEngine engine = fit_engine(model, fit_records(model, data));
-  const PopulationProblem problem = population_problem(narrow, engine, fit_unknowns(model, {}));
-  const PopulationValues values{Vector{{1.8, 1.0}}, Vector{{0.4, 0.2}}, Vector{{0.1}}};
-  FitPoint point{Matrix::Zero(2, 2), engine.records.starts};
-  FitPath path = empty_path(engine);
-  find_mode(engine, problem, values, 0, Vector::Zero(2), point, path);
-  EXPECT_NEAR(point.parameters(0, 0), 2.0, 1e-12);
-}
-
 }  // namespace
 }  // namespace lacuna

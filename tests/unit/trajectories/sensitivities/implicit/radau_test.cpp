@@ -30,16 +30,6 @@ Vector end_of_swing(const Vector& parameters, const Vector& start, Matrix* deriv
   return x;
 }
 
-TEST(Radau, FollowsASmoothModelAsAnExplicitMethodDoes) {
-  const Vector p = swing().values(), start{{0.4, -0.2}};
-  const auto rates = [&](double t, const double* x, double* dxdt) {
-    dxdt[0] = x[1];
-    dxdt[1] = testing::swing_rate(x[0], x[1], std::cos(t), p);
-  };
-  const Solution exact = Dopri87().integrate(rates, start, Vector{{0.2, 1.7}});
-  EXPECT_LT((end_of_swing(p, start, nullptr) - exact.end_state).norm(), 1e-7);
-}
-
 TEST(Radau, ItsDerivativesAreThoseOfTheFlow) {
   const Vector p = swing().values(), start{{0.4, -0.2}};
   Matrix s = Matrix::Zero(2, 5);
