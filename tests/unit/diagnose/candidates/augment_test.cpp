@@ -30,15 +30,6 @@ AugmentedProblem augmented(const std::vector<FittedEffect>& effects) {
                  {data.trajectories.front().states});
 }
 
-TEST(Augment, WithoutEffectsNothingChanges) {
-  const AugmentedProblem same = augmented({});
-  EXPECT_EQ(same.model.equations()[1].size(), 3u);
-  EXPECT_EQ(same.free, free_coefficients(support::oscillator()));
-  EXPECT_EQ(same.data.trajectories[0].states,
-            support::oscillator_record().trajectories[0].states);
-  EXPECT_TRUE(same.effect_places.empty() && same.channel_terms.empty());
-}
-
 TEST(Augment, EffectsStandBehindTheNominalTermsAndAreFree) {
   const AugmentedProblem made =
       augmented({fitted(support::plain_candidate("sign(v)")),
@@ -79,19 +70,6 @@ TEST(Augment, AMemoryIsAStateThatWasNotMeasuredWithItsSolution) {
         size * (std::sin(2.0 * t) - w * std::cos(2.0 * t) + w * std::exp(-t / kLag));
     EXPECT_NEAR(record.states(i, 2), z, 2e-4) << t;
   }
-}
-
-TEST(Augment, TwoMemoriesAreTwoStatesInOrder) {
-  Candidate driven = support::plain_candidate("u");
-  driven.memory = {{"u", parse_expression("-u"), parse_expression("0"), true}};
-  const AugmentedProblem made =
-      augmented({fitted(lagging("z"), Vector::Constant(1, 1.0)), fitted(driven)});
-  ASSERT_EQ(made.model.dimension(), 4);
-  EXPECT_EQ(made.model.states()[2].name, "z");
-  EXPECT_EQ(made.model.states()[3].name, "u");
-  EXPECT_EQ(made.effect_places, (std::vector<CoefficientPlace>{{1, 3}, {1, 4}}));
-  EXPECT_EQ(made.free.back(), (CoefficientPlace{1, 3})) << "a driven one is not fitted";
-  EXPECT_EQ(made.data.trajectories[0].states.col(3).norm(), 0.0);
 }
 
 }  // namespace

@@ -60,49 +60,6 @@ TEST(Explanation, AFitOfAFreeInputIsWhereTheSameFitEnds) {
   EXPECT_NEAR(again.fit.deviance, found.fit.deviance, 1.0);
 }
 
-TEST(Explanation, MemoryBecomesAStateOfTheModel) {
-  const Dataset data = support::hidden_record(support::nothing, 0.01);
-  const Assimilation base = support::assimilated(data);
-  Candidate lag = support::plain_candidate("lagged-F");
-  lag.memory = {{"lagged", parse_expression("(F-lagged)/tau"), parse_expression("F")}};
-  lag.shapes = {{"tau", "s", 1e-3, 10.0, true}};
-  const AugmentedProblem problem =
-      augment(support::oscillator(), data, base.free, {{lag, Vector::Constant(1, 0.5), 1.0}},
-              {data.trajectories[0].states});
-  EXPECT_EQ(problem.model.dimension(), 3);
-  EXPECT_EQ(problem.model.states()[2].name, "lagged");
-  EXPECT_FALSE(problem.data.is_measured(2));
-  EXPECT_TRUE(problem.data.is_measured(1));
-  ASSERT_EQ(problem.effect_places.size(), 1u);
-  EXPECT_EQ(problem.effect_places[0], (CoefficientPlace{1, 3}));
-}
-
-TEST(Explanation, KeepsWhatTheNominalModelSaysBesideItsEquations) {
-  const Dataset data = support::hidden_record(support::dry_friction, 0.01);
-  const OdeModel nominal = support::oscillator()
-                               .with_initial({InitialValue{.value = 1.5}, std::nullopt})
-                               .with_outputs({{"angle", "m", parse_expression("q")}});
-  const Explanation found = explain(
-      {data, nominal, support::oscillator_fit_options(), RunContext{}},
-      support::assimilated(data), {{support::plain_candidate("sign(v)"), Vector(0), -0.2}});
-  ASSERT_TRUE(found.fit.model.initial()[0].has_value());
-  EXPECT_EQ(found.fit.model.initial()[0]->value, 1.5);
-  EXPECT_EQ(found.fit.model.outputs().size(), 1U);
-}
-
-TEST(Explanation, SensorsMayHaveSummandsToo) {
-  Dataset data = support::hidden_record(support::nothing, 0.005);
-  data.trajectories[0].states.col(0).array() += 0.1;
-  const Assimilation base = support::assimilated(data);
-  Candidate offset = support::plain_candidate("1");
-  offset.place = Place::Channel;
-  offset.equation = 0;
-  const Explanation found =
-      explain({data, base.model, support::oscillator_fit_options(), RunContext{}}, base,
-              {{offset, Vector(0), 0.0}});
-  EXPECT_NEAR(found.effects[0].coefficient, 0.1, 0.005);
-}
-
 TEST(Explanation, AMemoryWithoutFiniteValuesIsNoExplanation) {
   const Dataset data = support::hidden_record(support::nothing, 0.01);
   const Assimilation base = support::assimilated(data);

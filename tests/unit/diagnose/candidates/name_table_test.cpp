@@ -35,15 +35,6 @@ TEST(NameTable, NamesFollowFromTheFittedNumbers) {
   EXPECT_EQ(bends.names(60.0, effects), std::vector<std::string>{"dead-zone"});
 }
 
-TEST(NameTable, WhatThePlaceSaysGoesFirst) {
-  EXPECT_EQ(Bends().names(60.0, {FamilyEffect<kDeadZone>(), FamilyEffect<kBacklash>()}),
-            (std::vector<std::string>{"backlash", "dead-zone"}));
-}
-
-TEST(NameTable, NumbersOfNoEffectHaveNoName) {
-  EXPECT_TRUE(Bends().names(60.0, {FamilyEffect<kPiecewiseLinear>()}).empty());
-}
-
 TEST(NameTable, ParametersHaveTheNamesOfTheEffect) {
   const Bends bends;
   const FittedEffect fitted{

@@ -50,42 +50,11 @@ TEST(Screening, WhatIsKnownIsNotScreenedAgain) {
   for (std::size_t i = 0; i < apart.size(); ++i) expect_same(apart[i], alone[i]);
 }
 
-TEST(ScreeningMemory, GivesWhatItKept) {
-  ScreeningMemory memory;
-  ScreenedCandidate one{support::plain_candidate("1"), Vector(0), 0.0, 0.0, 0};
-  EXPECT_FALSE(memory.recall("a", one));
-  memory.keep("a", {one.candidate, Vector::Constant(1, 2.0), 3.0, 4.0, 5});
-  EXPECT_FALSE(memory.recall("b", one));
-  ASSERT_TRUE(memory.recall("a", one));
-  EXPECT_EQ(one.shapes, Vector::Constant(1, 2.0));
-  EXPECT_EQ(one.coefficient, 3.0);
-  EXPECT_EQ(one.gain, 4.0);
-  EXPECT_EQ(one.tried, 5);
-}
-
-TEST(Screening, NominalTermsGainNothing) {
-  const Assimilation fit =
-      support::assimilated(support::hidden_record(support::dry_friction, 0.01));
-  const Screening screening(fit);
-  EXPECT_LT(screening.score(support::plain_candidate("2*v"), {}).gain, 1e-3);
-}
-
 TEST(Screening, ScoresOfACompleteModelAreChiSquared) {
   const Assimilation fit = support::assimilated(support::hidden_record(support::nothing, 0.01));
   const Screening screening(fit);
   for (const std::string form : {"q^3", "sign(v)", "q*v", "1", "t*q", "F^2"})
     EXPECT_LT(screening.score(support::plain_candidate(form), {}).gain, 12.0) << form;
-}
-
-TEST(Screening, SearchesShapes) {
-  const Assimilation fit = support::assimilated(support::hidden_record(
-      [](double, double q, double) { return -3.0 * std::min(q + 0.2, 0.0); }, 0.005));
-  const Screening screening(fit);
-  ScreenedCandidate found = screening.at_starts(support::stop_candidate(0.1));
-  const double before = found.gain;
-  screening.polish(found);
-  EXPECT_GT(found.gain, before);
-  EXPECT_NEAR(found.shapes[0], -0.2, 0.1);
 }
 
 }  // namespace

@@ -61,19 +61,5 @@ TEST(ShapeStep, ErrorsAreThoseOfTheJointProblem) {
       << "an edge that may move leaves the coefficient less certain";
 }
 
-TEST(ShapeStep, PromisesNothingAtTheMaximum) {
-  const FittedStop stop;
-  const ShapeStep step = shape_step(stop.found, stop.options);
-  ASSERT_EQ(step.places.size(), 1u);
-  EXPECT_LT(step.promised, 1.0);
-  EXPECT_LT(std::abs(step.step[0]), step.deviation[0]);
-}
-
-TEST(ShapeStep, ThereIsNoneWithoutShapes) {
-  const Dataset data = support::hidden_record(support::nothing, 0.002);
-  const Explanation bare{{}, support::assimilated(data)};
-  EXPECT_TRUE(shape_step(bare, support::oscillator_fit_options()).places.empty());
-}
-
 }  // namespace
 }  // namespace lacuna

@@ -15,17 +15,6 @@ Matrix gram_of(const Matrix& parts) {
   return parts.transpose() * parts / static_cast<double>(parts.rows());
 }
 
-TEST(EffectParts, OfWhichLittleIsLeftCancel) {
-  Matrix parts(4, 3);
-  parts << 1.0, -0.9, 5.0,  //
-      -1.0, 0.9, 5.0,       //
-      1.0, -0.9, -5.0,      //
-      -1.0, 0.9, -5.0;
-  const Cancellation found = largest_cancellation({{"a", "b", "c"}, 1, gram_of(parts)});
-  EXPECT_NEAR(found.left, 0.1, 1e-12);
-  EXPECT_EQ(found.terms, (std::vector<std::string>{"a", "b"}));
-}
-
 TEST(EffectParts, ThreeMayCancelThoughNoTwoDo) {
   Matrix parts(2, 3);
   parts << 1.0, 1.0, -2.0, 1.0, -1.0, 0.0;
@@ -40,25 +29,6 @@ TEST(EffectParts, AnEffectHasToBeAmongThem) {
   const Cancellation found = largest_cancellation({{"a", "b", "c"}, 1, gram_of(parts)});
   EXPECT_GT(found.left, 0.3) << "what two nominal terms do to each other is no effect's";
   EXPECT_EQ(largest_cancellation({{"a"}, 1, Matrix::Ones(1, 1)}).left, 1.0);
-}
-
-TEST(EffectParts, AreTheEffectsAndWhatTheCoefficientsChangedBy) {
-  const Dataset data = support::hidden_record(support::dry_friction, 0.001, 3);
-  const Assimilation base = support::assimilated(data);
-  const FittedEffect effect{support::plain_candidate("v^2"), Vector(0), 0.5};
-  const AddedParts parts = added_parts({{effect}, base}, support::oscillator(), 1);
-  ASSERT_EQ(parts.terms.front(), "v^2");
-  EXPECT_EQ(parts.effects, 1);
-  EXPECT_EQ(parts.terms.size(), 1 + support::oscillator().equations()[1].size());
-  const auto v = base.records[0].slots.col(1).array();
-  EXPECT_NEAR(parts.gram(0, 0), 0.25 * v.pow(4).mean(), 1e-9);
-  const double more =
-      base.model.coefficient(1, "q") - support::oscillator().coefficient(1, "q");
-  const auto q = base.records[0].slots.col(0).array();
-  const auto place = std::find(parts.terms.begin(), parts.terms.end(), "the change of q");
-  ASSERT_NE(place, parts.terms.end());
-  const Index j = place - parts.terms.begin();
-  EXPECT_NEAR(parts.gram(j, j), more * more * q.square().mean(), 1e-9);
 }
 
 TEST(EffectParts, CoefficientsMoveOutOfScale) {
@@ -108,11 +78,6 @@ TEST(EffectParts, ActWhereTheyAreMoreThanNothing) {
   EXPECT_NEAR(acting_fraction(stop, fit, 0.01), expected, 1e-12);
   EXPECT_GT(expected, 0.1);
   EXPECT_LT(expected, 0.9);
-}
-
-TEST(EffectParts, TermsHaveTheDigitsThatPeopleRead) {
-  Candidate stop = support::stop_candidate(0.25);
-  EXPECT_EQ(readable_term({stop, Vector::Constant(1, 0.12345678901), 1.0}), "min(q-0.1235,0)");
 }
 
 }  // namespace

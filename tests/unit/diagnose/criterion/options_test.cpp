@@ -22,11 +22,6 @@ TEST(DecisionOptions, AreDescribedOneByOne) {
   EXPECT_TRUE(names.contains("significance"));
 }
 
-TEST(DecisionOptions, AreFoundByName) {
-  EXPECT_EQ(default_registry().names(DecisionRules::kKind),
-            std::vector<std::string>{"decision"});
-}
-
 TEST(DecisionOptions, StayInTheirRanges) {
   DecisionOptions options;
   options.major = 1.5;

@@ -30,15 +30,6 @@ std::optional<FoundSlip> found(double time, double q, double v,
   return slip_of_coefficients(kModel, records.data, rate_windows(records), {});
 }
 
-TEST(CoefficientRatios, AreWhatTheRecordsSay) {
-  const BoundRecords records = record(1.0, 1000.0, 1.0, support::nothing);
-  const auto ratios = coefficient_ratios(kModel, records.data, rate_windows(records), 5.0);
-  ASSERT_EQ(ratios.size(), 4u);
-  const std::vector<double> expected{1000.0, 0.001, 1.0, 1.0};  // q' = v; v' by q, v, F
-  for (std::size_t i = 0; i < 4; ++i)
-    EXPECT_NEAR(ratios[i].ratio / expected[i], 1.0, 0.05) << i;
-}
-
 TEST(SlipOfCoefficients, IsSeenBesideALargeEffect) {
   const auto time = found(1000.0, 1.0, 1.0);
   ASSERT_TRUE(time);

@@ -30,29 +30,12 @@ TEST(SlipHints, SayWhatWouldMendTheTime) {
             "multiply the time column by 0.01");
 }
 
-TEST(SlipHints, NameTheUnitsThatWereTakenForOneAnother) {
-  const double degrees = 180.0 / std::numbers::pi;
-  const Hint angle = hint_for({HintKind::ChannelUnit, {0}, 1.0 / degrees});
-  EXPECT_THAT(angle.message, HasSubstr("q looks 57.296 times too large"));
-  EXPECT_THAT(angle.message, HasSubstr("degrees are for radians"));
-  EXPECT_THAT(hint_for({HintKind::ChannelUnit, {0, 1}, std::numbers::pi / 30.0}).message,
-              HasSubstr("q and v look 9.5493 times too large for the model, a unit that is "
-                        "another, as turns per minute"));
-}
-
 TEST(SlipHints, SayThatItMayBeTheCoefficient) {
   const Hint sign = hint_for({HintKind::Sign, {2}, -1.0});
   EXPECT_THAT(sign.message, HasSubstr("the sign of F looks reversed"));
   EXPECT_THAT(sign.message, HasSubstr("the coefficient 1 of F in dv/dt may be wrong as well"));
   EXPECT_EQ(sign.withheld, Withheld::Names) << "the coefficient can be fitted";
   EXPECT_EQ(hint_for({HintKind::Sign, {0}, -1.0}).withheld, Withheld::Answer);
-}
-
-TEST(SlipHints, ListWhatIsNotToldApart) {
-  const Hint hint =
-      hint_for({HintKind::SwappedColumns, {0, 1}}, {{HintKind::ChannelUnit, {2}, 10.0}});
-  EXPECT_THAT(hint.message, HasSubstr("columns q and v look swapped"));
-  EXPECT_THAT(hint.message, HasSubstr("; or F looks 10 times too small"));
 }
 
 std::vector<Hint> identities(double factor, double offset = 0.0) {

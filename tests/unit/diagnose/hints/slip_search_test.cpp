@@ -48,43 +48,6 @@ TEST(FindSlip, FindsNoneWhereAnEffectIsMissing) {
       << "a spring 8.5 times too soft is no unit";
 }
 
-TEST(FindSlip, FindsTheUnitOfTheTime) {
-  const auto slip = found(1000.0, 1.0, 1.0, 1.0);
-  ASSERT_TRUE(slip);
-  EXPECT_EQ(slip->slip.kind, HintKind::TimeUnit);
-  EXPECT_DOUBLE_EQ(slip->slip.correction, 1e-3);
-  EXPECT_GT(slip->before.minCoeff(), 0.9);
-  EXPECT_LT(slip->after[0], 2e-3);
-  EXPECT_TRUE(slip->others.empty());
-  EXPECT_FALSE(found(14.0, 1.0, 1.0, 1.0)) << "no unit is 14 times another";
-}
-
-TEST(FindSlip, FindsTheUnitOfAChannel) {
-  const auto one = found(1.0, 180.0 / std::numbers::pi, 1.0, 1.0);
-  ASSERT_TRUE(one);
-  EXPECT_EQ(one->slip.kind, HintKind::ChannelUnit);
-  EXPECT_EQ(one->slip.channels, std::vector<Index>{0});
-  EXPECT_DOUBLE_EQ(one->slip.correction, std::numbers::pi / 180.0);
-  const auto input = found(1.0, 1.0, 1.0, 0.001, support::nothing);
-  ASSERT_TRUE(input) << "or q and v, which are more";
-  EXPECT_EQ(input->slip.channels, std::vector<Index>{2});
-  EXPECT_DOUBLE_EQ(input->slip.correction, 1000.0);
-  EXPECT_FALSE(found(1.0, 1.0, 1.0, 1.0 / 7.6, support::nothing)) << "no unit";
-}
-
-TEST(FindSlip, FindsSignsAndColumns) {
-  const auto sign = found(1.0, 1.0, -1.0, 1.0);
-  ASSERT_TRUE(sign);
-  EXPECT_EQ(sign->slip.kind, HintKind::Sign);
-  EXPECT_EQ(sign->slip.channels, std::vector<Index>{1});
-  Dataset data = support::hidden_record(friction, 0.01);
-  data.trajectories[0].states.col(0).swap(data.trajectories[0].states.col(1));
-  const BoundRecords records = observed(std::move(data));
-  const auto swapped = find_slip(kSearched, records.data, rate_windows(records), {});
-  ASSERT_TRUE(swapped);
-  EXPECT_EQ(swapped->slip.kind, HintKind::SwappedColumns);
-}
-
 TEST(FindSlip, ListsWhatIsNotToldApart) {
   // x' = u alone, and x a hundred times too small.
   const Variables variables{{"x"}, {"u"}};

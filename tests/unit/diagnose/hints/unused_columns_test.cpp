@@ -44,12 +44,6 @@ TEST(UnusedColumns, TellAnInputThatTheModelLacks) {
   EXPECT_THAT(hints[0].remedy, HasSubstr("about 0.4 in dv/dt"));
 }
 
-TEST(UnusedColumns, SayNothingOfWhatDoesNotAct) {
-  EXPECT_TRUE(hints_for(support::nothing, kGust).empty());
-  const auto friction = [](double, double, double v) { return v > 0.0 ? -0.5 : 0.5; };
-  EXPECT_TRUE(hints_for(friction, kGust).empty());
-}
-
 TEST(UnusedColumns, SayNothingOfCopiesOfWhatTheModelKnows) {
   const auto cubic = [](double, double q, double) { return -0.6 * q * q * q; };
   Random random(5);

@@ -11,28 +11,6 @@
 namespace lacuna {
 namespace {
 
-/// A record of q'' = -3.6 q - 0.2 v + F, which the nominal model takes for -4 q.
-double softer(double, double q, double) { return 0.4 * q; }
-
-TEST(Baseline, CoefficientsAreThoseOfTheRecords) {
-  const support::Asked asked = support::asked(softer);
-  const auto base = asked.baseline();
-  EXPECT_EQ(base->given.model.coefficient(1, "q"), -4.0);
-  EXPECT_NEAR(base->fitted.model.coefficient(1, "q"), -3.6, 0.02);
-  EXPECT_NEAR(base->fitted.model.coefficient(1, "F"), 1.0, 0.02);
-  EXPECT_EQ(base->fitted.model.coefficient(0, "v"), 1.0) << "an identity";
-  EXPECT_LT(base->fitted.deviance, base->given.deviance);
-  EXPECT_NEAR(*base->fitted.noise.measurement[0], 0.01, 0.001);
-  EXPECT_NEAR(*base->fitted.noise.measurement[1], 0.02, 0.002);
-  EXPECT_TRUE(base->notes.empty());
-}
-
-TEST(Baseline, ToleranceHoldsACoefficient) {
-  support::Asked asked = support::asked(softer);
-  asked.options.tolerances = {{{1, 0}, -4.0, 1e-6}};
-  EXPECT_NEAR(asked.baseline()->fitted.model.coefficient(1, "q"), -4.0, 1e-3);
-}
-
 TEST(Baseline, OutliersAreLeftOutAndNoted) {
   Dataset data = support::hidden_record(support::nothing, 0.01);
   data.trajectories[0].states(700, 0) += 5.0;
@@ -69,13 +47,6 @@ TEST(Baseline, EffectsAreFittedOnTopOfIt) {
     EXPECT_LT(std::abs(found->effects[0].coefficient + 0.3), 3.0 * found->effects[0].deviation);
   }
   EXPECT_LE(exact.fit.deviance, rough.fit.deviance + 0.1);
-}
-
-TEST(Baseline, AModelWithoutASolutionIsAnErrorThatNamesTheRecord) {
-  Dataset data = support::hidden_record(support::nothing, 0.01);
-  data.trajectories.front().time *= 1e8;
-  const support::Asked asked{.records = observed(data), .nominal = support::runaway()};
-  EXPECT_THROW(asked.baseline(), DataError);
 }
 
 }  // namespace

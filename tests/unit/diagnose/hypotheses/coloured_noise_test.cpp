@@ -46,21 +46,6 @@ TEST(ColouredNoise, FindsDeviationAndTimeOfTheNoise) {
   EXPECT_FALSE(leaves_structure(composite, asked.options.decision));
 }
 
-TEST(ColouredNoise, IsNotAskedForWhereNothingIsLeft) {
-  const support::Asked asked = support::asked(support::nothing);
-  const Proposals made = ColouredNoiseHypothesis().propose(asked.problem(), asked.bare());
-  EXPECT_TRUE(made.composites.empty() && made.trail.empty());
-}
-
-TEST(ColouredNoise, IsAskedForWhereTheNoiseIsLargerThanNeighboursShow) {
-  support::Asked asked = support::asked(support::nothing);
-  asked.options.decision.noise_inflation = 0.5;
-  const Proposals made = ColouredNoiseHypothesis().propose(asked.problem(), asked.bare());
-  EXPECT_TRUE(made.composites.empty()) << "it is white";
-  ASSERT_EQ(made.trail.size(), 1u);
-  EXPECT_GT(made.trail[0].value, made.trail[0].threshold);
-}
-
 TEST(ColouredNoise, DeclinesWithItsNumberWhereTheDynamicsExplainMore) {
   const support::Asked asked = support::asked(support::ripple);
   const Problem problem = asked.problem();

@@ -55,16 +55,6 @@ TEST(CompositeModel, StructureIsSubstantialFromBothThresholdsOn) {
   EXPECT_FALSE(leaves_structure(composite, decision));
 }
 
-TEST(CompositeModel, TheBareOneIsTheBaselineWithWhatItLeaves) {
-  const support::Asked asked = support::asked(support::ripple);
-  const CompositeModel bare = asked.bare();
-  EXPECT_TRUE(bare.named.empty() && bare.explanation.effects.empty());
-  EXPECT_EQ(bare.explanation.fit.deviance, bare.base->fitted.deviance);
-  EXPECT_TRUE(leaves_structure(bare, asked.options.decision));
-  EXPECT_EQ(evidence_of(bare).parameters, 3.0) << "q, v and F";
-  EXPECT_FALSE(leaves_structure(support::asked(support::nothing).bare(), {}));
-}
-
 TEST(CompositeModel, MostIsTheFractionOfTheVarianceThatIsAsked) {
   support::Asked asked = support::asked(support::ripple);
   CompositeModel composite = asked.bare();

@@ -88,13 +88,6 @@ TEST(HeldCoefficients, AnEffectOfTheSameVariableExplainsNothingOfItsCoefficient)
   EXPECT_EQ(HeldCoefficients().propose(asked.problem(), composite).composites.size(), 1u);
 }
 
-TEST(HeldCoefficients, IdentitiesAreNotTouched) {
-  support::Asked asked = asked_of(support::ripple, 1.0);
-  asked.nominal = support::oscillator();
-  EXPECT_TRUE(
-      HeldCoefficients().propose(asked.problem(), asked.bare()).composites.empty());
-}
-
 TEST(HeldCoefficients, NoBendIsNamedForAGain) {
   const Diagnosis found =
       diagnose(with_known_force(), shown_force(support::nothing, 1.25),

@@ -25,20 +25,5 @@ TEST(HypothesisOrder, PhaseComesFirstThenTheOrderInIt) {
                 "input-smoothing", "input-skew", "residual-function"}));
 }
 
-TEST(HypothesisOrder, DoesNotDependOnTheOrderInWhichTheyAreGiven) {
-  std::vector<Stage<Hypothesis>> turned = standard_hypotheses();
-  std::reverse(turned.begin(), turned.end());
-  EXPECT_EQ(names_of(in_order(turned)), names_of(standard_hypotheses()));
-}
-
-TEST(HypothesisOrder, EveryPhaseHasSomebody) {
-  for (const Phase phase :
-       {Phase::Effects, Phase::Revision, Phase::Assumptions, Phase::Residual}) {
-    const auto all = standard_hypotheses();
-    EXPECT_TRUE(std::any_of(all.begin(), all.end(),
-                            [&](const auto& one) { return one->phase() == phase; }));
-  }
-}
-
 }  // namespace
 }  // namespace lacuna

@@ -46,31 +46,5 @@ TEST(InputInterpolation, PutsTheInputOnTheCurveThroughWhatWasRecorded) {
   EXPECT_LT(error(other), 0.1 * error(seldom(smooth).trajectories[0]));
 }
 
-TEST(InputInterpolation, NothingIsProposedOfInputsThatWereRecordedOften) {
-  const support::Asked asked{.records =
-                                 observed(support::hidden_record(support::dry_friction, 1e-3))};
-  ASSERT_FALSE(is_interpolated(asked.records.data, 0));
-  EXPECT_TRUE(InputInterpolation{}.propose(asked.problem(), asked.bare()).composites.empty());
-}
-
-TEST(InputInterpolation, LinesDoNotJump) {
-  const support::Asked asked{
-      .records = observed(seldom(support::hidden_record(support::nothing, 1e-3)))};
-  const ChosenHolds chosen = choose_holds(asked.problem());
-  EXPECT_EQ(chosen.model.inputs()[0].hold, Hold::Smooth);
-}
-
-TEST(InputInterpolation, LeavesTheEffectThatIsThere) {
-  Configuration configuration;
-  configuration.set("effects=[\"coulomb-friction\",\"delay\",\"lag\",\"linear-term\"]");
-  const Diagnosis found = diagnose(
-      support::oscillator(), seldom(support::hidden_record(support::dry_friction, 2e-3)),
-      seldom(support::hidden_record(support::dry_friction, 2e-3, 4, -0.7)),
-      diagnosis_options(configuration, default_registry()), RunContext{});
-  EXPECT_EQ(found.verdict, Verdict::Explained);
-  ASSERT_EQ(found.effects.size(), 1u);
-  EXPECT_EQ(found.effects[0].name, "coulomb-friction");
-}
-
 }  // namespace
 }  // namespace lacuna

@@ -119,24 +119,5 @@ TEST(InputSkew, HeldInputsAreLateByWholeSteps) {
   EXPECT_EQ(moved.head(n), record.inputs.col(0).tail(n));
 }
 
-TEST(InputSkew, IsToldBesideAnEffect) {
-  const Dataset data = late_force(support::hidden_record(support::dry_friction, 5e-3), 0.03);
-  const Dataset other =
-      late_force(support::hidden_record(support::dry_friction, 5e-3, 4, -0.7), 0.03);
-  Configuration configuration;
-  configuration.set(
-      "effects=[\"coulomb-friction\",\"delay\",\"linear-term\",\"quadratic-drag\"]");
-  const Diagnosis found =
-      diagnose(support::oscillator(), data, other,
-               diagnosis_options(configuration, default_registry()), RunContext{});
-  EXPECT_EQ(found.verdict, Verdict::Explained);
-  ASSERT_EQ(found.effects.size(), 2u);
-  EXPECT_EQ(found.effects[0].name, "coulomb-friction");
-  EXPECT_EQ(found.effects[1].name, "channel-skew");
-  EXPECT_NEAR(found.effects[1].coefficient, 0.03, 2e-3);
-  ASSERT_TRUE(found.gap.has_value());
-  EXPECT_LT(found.gap->after, 1.1 * found.gap->noise_floor);
-}
-
 }  // namespace
 }  // namespace lacuna

@@ -85,12 +85,6 @@ TEST(InputSmoothing, NoiseThatActsStays) {
   EXPECT_TRUE(InputSmoothing{}.propose(asked.problem(), asked.bare()).composites.empty());
 }
 
-TEST(InputSmoothing, InputsWithoutNoiseStay) {
-  const support::Asked asked{.records =
-                                 observed(support::hidden_record(support::dry_friction, 1e-3))};
-  EXPECT_TRUE(InputSmoothing{}.propose(asked.problem(), asked.bare()).composites.empty());
-}
-
 TEST(InputSmoothing, NoPlayIsNamedForNoise) {
   Configuration configuration;
   configuration.set("effects=[\"backlash\",\"delay\",\"lag\",\"dead-zone\"]");

@@ -61,43 +61,6 @@ TEST(ResidualFunction, ALineOfTheSpectrumIsPeriodic) {
   EXPECT_FALSE(made.composites[0].composite.unnamed->memory);
 }
 
-TEST(ResidualFunction, IsNotAskedForWhereNothingIsSubstantial) {
-  support::Asked asked = support::asked(support::ripple);
-  const CompositeModel bare = asked.bare();
-  asked.options.decision.significance = 1.01 * bare.left.front().sigma;
-  EXPECT_TRUE(proposed(asked, bare).composites.empty());
-  const support::Asked complete = support::asked(support::nothing);
-  EXPECT_TRUE(proposed(complete, complete.bare()).composites.empty());
-}
-
-/// Dry friction as it is named, beside which 0.3 q v is left.
-CompositeModel friction_named(const support::Asked& asked) {
-  CompositeModel best = asked.bare();
-  best.explanation = explain_on(asked.problem(), *best.base, best.base->fitted,
-                                {{support::plain_candidate("sign(v)"), Vector(0), 0.0, 0.0}});
-  best.named = {{.equation = 1, .name = "dry"}};
-  best.left = test_disturbances(best.explanation.fit, asked.context);
-  return best;
-}
-
-TEST(ResidualFunction, PolynomialsFillWhatNamedEffectsLeave) {
-  support::Asked asked = support::asked(
-      [](double t, double q, double v) { return support::dry_friction(t, q, v) + 0.3 * q * v; },
-      0.002);
-  const CompositeModel best = friction_named(asked);
-  EXPECT_TRUE(proposed(asked, best).composites.empty()) << "only when asked";
-  asked.options.fill_gap = true;
-  const Proposals made = proposed(asked, best);
-  ASSERT_EQ(made.composites.size(), 1u);
-  const CompositeModel& composite = made.composites[0].composite;
-  EXPECT_NEAR(composite.explanation.fit.model.coefficient(1, "q*v"), 0.3, 0.02);
-  EXPECT_NEAR(composite.explanation.fit.model.coefficient(1, "sign(v)"), -0.3, 0.02);
-  EXPECT_EQ(composite.named.size(), 1u) << "the name stays";
-  for (const FittedEffect& effect : composite.explanation.effects)
-    EXPECT_GE(std::abs(effect.coefficient), 3.0 * effect.deviation);
-  EXPECT_LT(evidence_of(composite).deviance, evidence_of(best).deviance);
-}
-
 TEST(ResidualFunction, WhatHappensOnceIsNotPeriodic) {
   const support::Asked asked = support::asked([](double t, double, double) {
     return 6.0 * std::exp(-std::pow((t - 9.0) / 1.5, 2)) * std::sin(5.0 * t);

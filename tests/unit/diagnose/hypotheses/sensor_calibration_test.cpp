@@ -48,47 +48,6 @@ TEST(SensorCalibration, FindsGainOffsetAndDrift) {
                1, 0.02, 0.002);
 }
 
-TEST(SensorCalibration, FindsAFilterOfTheSensor) {
-  const double tau = 0.1;
-  Dataset data = support::hidden_record(support::nothing, 0.0);
-  Matrix& states = data.trajectories.front().states;
-  Random random(5);
-  double shown = states(0, 1), before = shown;
-  const double h = 0.02, decay = std::exp(-h / tau);
-  for (Index i = 0; i < states.rows(); ++i) {
-    // exact for a line from sample to sample
-    const double now = states(i, 1), slope = (now - before) / h;
-    if (i > 0) shown = now - slope * tau + decay * (shown - before + slope * tau);
-    before = now;
-    states(i, 0) += 0.005 * random.normal();
-    states(i, 1) = shown + 0.01 * random.normal();
-  }
-  const support::Asked asked{.records = observed(data)};
-  expect_fault(asked, "sensor-lag", 1, 1.0, 0.05);
-  const Proposals made = proposed(asked);
-  ASSERT_EQ(made.composites.size(), 1u);
-  ASSERT_EQ(made.composites[0].composite.named[0].parameters.size(), 1u);
-  EXPECT_NEAR(made.composites[0].composite.named[0].parameters[0].value, tau, 0.01);
-}
-
-TEST(SensorCalibration, FindsCurvesAndWhatAChannelPicksUp) {
-  expect_fault(with_sensor(0, [](double q, double) { return q + 0.05 * q * q; }), "sensor-gain",
-               0, 0.05, 0.005);
-  expect_fault(with_sensor(0, [](double q, double) { return 2.0 * std::tanh(q / 2.0); }),
-               "sensor-gain", 0, 1.0, 0.1);
-  expect_fault(with_sensor(1, [](double v, double t) { return v + 0.05 * std::sin(9.0 * t); }),
-               "sensor-offset", 1, 0.05, 0.005);
-  Dataset data = support::hidden_record(support::nothing, 0.005);
-  Matrix& states = data.trajectories.front().states;
-  states.col(1) += 0.1 * states.col(0);
-  expect_fault({.records = observed(data)}, "sensor-offset", 1, 0.1, 0.01);
-}
-
-TEST(SensorCalibration, HasNothingToSayOfAGoodModel) {
-  const Proposals made = proposed(support::asked(support::nothing, 0.005));
-  EXPECT_TRUE(made.composites.empty());
-}
-
 TEST(SensorCalibration, WhatLeavesStructureIsNoSensor) {
   EXPECT_TRUE(proposed(support::asked(support::ripple, 0.005)).composites.empty());
 }
@@ -179,13 +138,6 @@ TEST(SensorCalibration, StandsBesideAnEffectInThePlaceOfAllOthers) {
   EXPECT_EQ(composite.named[1].name, "sign(v)");
   EXPECT_NEAR(composite.named[1].coefficient, -0.3, 0.01);
   EXPECT_FALSE(leaves_structure(composite, asked.options.decision));
-}
-
-TEST(SensorCalibration, StandsBesideNothingThatIsNotNamed) {
-  const support::Asked asked = friction_and_crosstalk();
-  EXPECT_TRUE(SensorCalibration()
-                  .propose(asked.problem(), with_effects(asked, {"q^3", "F^2"}))
-                  .composites.empty());
 }
 
 TEST(SensorCalibration, AddsMoreThanSamplesAreRounded) {

@@ -42,30 +42,10 @@ CompositeModel with_force(const support::Asked& asked) {
   return best;
 }
 
-TEST(SensorPickup, AHumOfASensorIsNoForce) {
-  const support::Asked asked{.records = observed(humming(3, 0.4, 0.5))};
-  const Proposals made = SensorPickup().propose(asked.problem(), with_force(asked));
-  ASSERT_EQ(made.composites.size(), 1u);
-  EXPECT_TRUE(std::holds_alternative<ByRule>(made.composites[0].judged));
-  const CompositeModel& composite = made.composites[0].composite;
-  ASSERT_EQ(composite.named.size(), 1u);
-  EXPECT_EQ(composite.named[0].name, "sensor-offset");
-  EXPECT_EQ(composite.named[0].place, Place::Channel);
-  EXPECT_EQ(composite.named[0].equation, 1);
-  EXPECT_NEAR(std::abs(composite.named[0].coefficient), 0.05, 0.002);
-  EXPECT_NEAR(composite.explanation.effects[0].shapes[0], kHum, 1e-3);
-  EXPECT_FALSE(leaves_structure(composite, asked.options.decision));
-}
-
 TEST(SensorPickup, AForceStaysOne) {
   const auto force = [](double t, double, double) { return 0.6 * tone(t); };
   const support::Asked asked{.records = observed(support::hidden_record(force, 0.002))};
   EXPECT_TRUE(SensorPickup().propose(asked.problem(), with_force(asked)).composites.empty());
-}
-
-TEST(SensorPickup, NothingIsTriedWithoutATone) {
-  const support::Asked asked{.records = observed(humming(3, 0.4, 0.5))};
-  EXPECT_TRUE(SensorPickup().propose(asked.problem(), asked.bare()).composites.empty());
 }
 
 TEST(SensorPickup, OtherRecordsHaveTheirOwnPhase) {

@@ -35,14 +35,6 @@ CompositeModel that_says(const support::Asked& asked, const Candidate& candidate
   return best;
 }
 
-/// The force as it was so long ago.
-double force_late_by(double late, double t) {
-  const auto force = [](double s) {
-    return std::sin(1.7 * s) + 0.7 * std::sin(2.9 * s + 1.0) + 0.5 * std::sin(0.6 * s);
-  };
-  return force(t - late) - force(t);
-}
-
 /// v as means of its last samples.
 Dataset with_means_of_speed(Index window) {
   Dataset data = support::hidden_record(support::nothing, 0.0);
@@ -75,26 +67,6 @@ TEST(SensorTiming, ASensorThatAveragesIsNoInputThatIsLate) {
   EXPECT_TRUE(composite.twins.empty());
   EXPECT_FALSE(leaves_structure(composite, asked.options.decision));
   EXPECT_GT(composite.base->fit_options.free.size(), 0u) << "coefficients are fitted";
-}
-
-TEST(SensorTiming, AnInputThatIsLateBehindGoodSensorsStays) {
-  const support::Asked asked = support::asked(
-      [](double t, double, double) { return force_late_by(0.15, t); }, 0.005);
-  const Proposals made =
-      SensorTiming().propose(asked.problem(), that_says(asked, late_force_of_input(), "delay"));
-  EXPECT_TRUE(std::all_of(
-      made.composites.begin(), made.composites.end(), [](const Proposal& proposal) {
-        return proposal.composite.named.size() == 1 &&
-               proposal.composite.named[0].name == "delay";
-      }));
-}
-
-TEST(SensorTiming, IsNotAskedForWhereNothingIsAboutTime) {
-  const support::Asked asked = support::asked(support::dry_friction, 0.005);
-  EXPECT_TRUE(SensorTiming().propose(asked.problem(), asked.bare()).composites.empty());
-  const CompositeModel friction =
-      that_says(asked, support::plain_candidate("sign(v)"), "coulomb-friction");
-  EXPECT_TRUE(SensorTiming().propose(asked.problem(), friction).composites.empty());
 }
 
 /// One channel of a linear system: its sensor and its only input that lag are one to it.

@@ -61,25 +61,6 @@ TEST(UnmeasuredInput, RecoversSizeAndMemory) {
   EXPECT_FALSE(leaves_structure(composite, asked.options.decision));
 }
 
-TEST(UnmeasuredInput, AFunctionOfTheStateTakesTheNamesAndGetsNone) {
-  const support::Asked asked = asked_with(support::ripple);
-  const Proposals made = UnmeasuredInput().propose(asked.problem(), asked.bare());
-  for (const Proposal& proposal : made.composites) {
-    EXPECT_TRUE(proposal.composite.named.empty());
-    EXPECT_NE(std::get<ByRule>(proposal.judged).why.find("is no input"), std::string::npos);
-  }
-  EXPECT_EQ(made.composites.size() + made.trail.size(), 1u);
-}
-
-TEST(UnmeasuredInput, IsNotAskedForWhereNothingIsLeftOrNoEffectProposesIt) {
-  const support::Asked complete = asked_with(support::nothing);
-  EXPECT_TRUE(
-      UnmeasuredInput().propose(complete.problem(), complete.bare()).composites.empty());
-  support::Asked without = asked_with(gusts);
-  without.options.effects = {FamilyEffect<kQuadraticDrag>{}};
-  EXPECT_TRUE(UnmeasuredInput().propose(without.problem(), without.bare()).composites.empty());
-}
-
 TEST(UnmeasuredInput, ThresholdsDecideWhetherItIsEvident) {
   support::Asked asked = asked_with(gusts);
   const CompositeModel bare = asked.bare();

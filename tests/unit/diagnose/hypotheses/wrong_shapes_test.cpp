@@ -59,13 +59,6 @@ TEST(WrongShapes, AreSeveralWhereOneFormulaDoesBetter) {
   EXPECT_EQ(wrong->better.composite, "one formula of q in dv/dt");
 }
 
-TEST(WrongShapes, IsNoPlainTermAlone) {
-  const support::Asked asked = support::asked(bumps, 0.002);
-  const CompositeModel composite = named(asked, {plain_effect("q^3")});
-  ASSERT_TRUE(leaves_structure(composite, asked.options.decision));
-  EXPECT_FALSE(wrong_shapes(asked.problem(), composite)) << "the first of a series";
-}
-
 TEST(WrongShapes, IsAPlainTermWhereALawLeavesNothing) {
   const support::Asked asked = support::asked(
       [](double, double q, double) { return -3.0 * std::sin(2.0 * q); }, 0.002);
@@ -77,14 +70,6 @@ TEST(WrongShapes, IsAPlainTermWhereALawLeavesNothing) {
   EXPECT_EQ(wrong->better.composite, "one formula of q in dv/dt");
 }
 
-TEST(WrongShapes, AreNoneWhereNothingIsLeft) {
-  const support::Asked asked =
-      support::asked([](double, double q, double) { return -4.0 * q * q * q; }, 0.002);
-  const CompositeModel composite = named(asked, {plain_effect("q^3")});
-  ASSERT_FALSE(leaves_structure(composite, asked.options.decision));
-  EXPECT_FALSE(wrong_shapes(asked.problem(), composite));
-}
-
 TEST(WrongShapes, AreNoneWhereTheCurveLeavesAsMuch) {
   const auto hum = [](double t, double q, double) {
     return -4.0 * q * q * q + 0.5 * std::sin(9.0 * t);
@@ -93,13 +78,6 @@ TEST(WrongShapes, AreNoneWhereTheCurveLeavesAsMuch) {
   const CompositeModel composite = named(asked, {plain_effect("q^3"), plain_effect("q^5")});
   ASSERT_TRUE(leaves_structure(composite, asked.options.decision));
   EXPECT_FALSE(wrong_shapes(asked.problem(), composite)) << "what is left is no function of q";
-}
-
-TEST(WrongShapes, AreNoneOfTimeOrOfTwoVariables) {
-  const support::Asked asked = support::asked(support::ripple, 0.002);
-  const CompositeModel composite = named(asked, {plain_effect("q*v"), plain_effect("t")});
-  ASSERT_TRUE(leaves_structure(composite, asked.options.decision));
-  EXPECT_FALSE(wrong_shapes(asked.problem(), composite));
 }
 
 }  // namespace

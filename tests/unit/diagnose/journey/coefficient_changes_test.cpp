@@ -66,12 +66,6 @@ TEST(CoefficientChanges, TwoThatTheRecordsDoNotDistinguishAreOffTogether) {
   EXPECT_FALSE(combined_change(support::oscillator(), fit, 3, 3.0)) << "v is off by itself";
 }
 
-TEST(CoefficientChanges, OnlyThoseOfTheNominalModel) {
-  const auto changes = coefficient_changes(support::oscillator(), changed(), 1);
-  ASSERT_EQ(changes.size(), 1u);
-  EXPECT_EQ(changes[0].term, "q");
-}
-
 TEST(CoefficientChanges, WhatWasHeldHasNoError) {
   Assimilation fit = changed();
   fit.held = Matrix::Zero(3, 1);
@@ -101,16 +95,6 @@ TEST(CoefficientChanges, TheLargestIsTheRateThatMoves) {
   EXPECT_NEAR(rates[1], std::sqrt(rate / 100000.0), 2e-2);
   EXPECT_GT(found, 0.0);
   EXPECT_EQ(largest_rate_change(fit.model, fit), 0.0) << "nothing moved";
-}
-
-TEST(CoefficientChanges, FreeCoefficientsHaveIntervals) {
-  const OdeModel model = with_intervals(changed());
-  const WeightedTerm& q = model.equations()[1][0];
-  ASSERT_TRUE(q.standard_error && q.ci95);
-  EXPECT_DOUBLE_EQ(*q.standard_error, 0.2);
-  EXPECT_DOUBLE_EQ((*q.ci95)[0], -3.5 - kNormalQuantile975 * 0.2);
-  EXPECT_DOUBLE_EQ((*q.ci95)[1], -3.5 + kNormalQuantile975 * 0.2);
-  EXPECT_FALSE(model.equations()[0][0].standard_error) << "an identity";
 }
 
 }  // namespace

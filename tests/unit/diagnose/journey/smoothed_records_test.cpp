@@ -55,24 +55,5 @@ TEST(SmoothedRecords, SamplesThatShareNoiseAndTheEndsAreMissing) {
   EXPECT_LT(error(record.inputs), 0.1 * error(asked.records.data.trajectories[0].inputs));
 }
 
-TEST(SmoothedRecords, OfWhichTooLittleWouldBeLeftStayAsTheyAre) {
-  support::Asked asked = smoothed_by({{Kind::CentredMean, 9}});
-  const Index samples = asked.records.data.samples();
-  asked.options.decision.smoothing.least_left = static_cast<int>(samples);
-  EXPECT_FALSE(smoothing_of(asked.problem()).has_value());
-}
-
-TEST(SmoothedRecords, ThatAreNotWholeSayNothing) {
-  const Smoothing smoothing{{Kind::CentredMean, 9}};
-  support::Asked gaps = smoothed_by(smoothing);
-  gaps.records.channels[0].missing = 0.1;
-  EXPECT_FALSE(smoothing_of(gaps.problem()).has_value());
-  support::Asked uneven = smoothed_by(smoothing);
-  uneven.records.data.trajectories[0].time[50] += 0.3 * median_step(uneven.records.data);
-  EXPECT_FALSE(smoothing_of(uneven.problem()).has_value());
-  const Dataset same = preprocessed(smoothing, uneven.records.data);
-  EXPECT_EQ(same.trajectories[0].states, uneven.records.data.trajectories[0].states);
-}
-
 }  // namespace
 }  // namespace lacuna

@@ -29,20 +29,6 @@ Ranking three_forms() {
           12};
 }
 
-TEST(EffectNames, TheLeadingNameWithItsWordsAndNumbers) {
-  const Ranking ranking = three_forms();
-  const NamedEffect named = name_effect(ranking.effects[0], ranking);
-  EXPECT_EQ(named.name, "stop");
-  EXPECT_EQ(named.description, "sentence of stop");
-  EXPECT_EQ(named.cause, "cause of stop");
-  EXPECT_EQ(named.equation, 1);
-  EXPECT_EQ(named.probability, 0.7);
-  EXPECT_EQ(named.tried, 12);
-  ASSERT_EQ(named.parameters.size(), 1u);
-  EXPECT_EQ(named.parameters[0].name, "gap");
-  EXPECT_EQ(named.parameters[0].unit, "m");
-}
-
 TEST(EffectNames, AlternativesAreOtherNamesThenOtherForms) {
   const Ranking ranking = three_forms();
   const NamedEffect named = name_effect(ranking.effects[0], ranking);
@@ -53,18 +39,6 @@ TEST(EffectNames, AlternativesAreOtherNamesThenOtherForms) {
   EXPECT_EQ(named.alternatives[1].term, "sign(v)");
   EXPECT_EQ(named.alternatives[1].probability, 0.2);
   EXPECT_EQ(named.alternatives[2].name, "hardening");
-}
-
-TEST(EffectNames, AFormOfTheSameNameAndArgumentIsNoAlternative) {
-  Ranking ranking = three_forms();
-  Candidate smooth = support::plain_candidate("tanh(v)");
-  smooth.argument = parse_expression("v");
-  ranking.effects[1].explanation.effects.back().candidate.argument = smooth.argument;
-  ranking.effects.push_back(ranked(smooth, {"friction"}, 0.01));
-  for (const Alternative& other : name_effect(ranking.effects[1], ranking).alternatives)
-    EXPECT_NE(other.name, "friction");
-  ranking.effects.back().explanation.effects.back().candidate.equation = 0;
-  EXPECT_EQ(name_effect(ranking.effects[1], ranking).alternatives.back().term, "tanh(v)");
 }
 
 TEST(EffectNames, PlainerFormsAreThoseWithFewerShapesThenShallowerOnes) {

@@ -56,13 +56,6 @@ TEST_F(EffectSizes, IsOneForTheNominalModel) {
       << "of the only equation that is disturbed";
 }
 
-TEST_F(EffectSizes, TheGapOfWhatTheRecordsAreMadeOfIsTheNoise) {
-  const EffectSize size(problem_, *base_);
-  const double left = size.gap(complete());
-  EXPECT_LT(left, 0.02);
-  EXPECT_GT(left, 0.0);
-}
-
 TEST_F(EffectSizes, CountsByTheFractionsThatAreAsked) {
   const EffectSize size(problem_, *base_);
   EXPECT_TRUE(counts(size, leaving(1.0), leaving(0.4))) << "most goes";

@@ -42,15 +42,6 @@ TEST_F(WindowRefit, CoefficientsAreThoseThatHoldOverWindows) {
   EXPECT_LT(window_gap(found->fit), 1.05 * window_gap(friction.fit));
 }
 
-TEST_F(WindowRefit, NeedsAsManyWindowsAsTheyHavePeriods) {
-  const Explanation friction = with(support::plain_candidate("sign(v)"));
-  // 30 s hold about ten periods of 3 s: three windows of three, not four of four.
-  const Index samples = window_samples(friction.fit);
-  asked_.options.decision.long_window = 4;
-  ASSERT_LT(1501 / (4 * samples), 4);
-  EXPECT_FALSE(refitted(friction));
-}
-
 TEST_F(WindowRefit, IsNotForMemoryDelaysOrTheMeasurement) {
   Candidate lag = support::plain_candidate("z");
   lag.memory = {{"z", parse_expression("q-z"), parse_expression("0"), false}};
