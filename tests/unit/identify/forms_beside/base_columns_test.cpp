@@ -97,15 +97,5 @@ TEST(BaseColumns, WithoutSomeTheyGoOneByOneAsTheyAreMissed) {
   EXPECT_TRUE(std::isinf(base.left_without(1, columns.col(2)))) << "nothing new";
 }
 
-TEST(BaseColumns, DependentColumnsCountOnceAndWhatIsNotFiniteIsNoColumn) {
-  const Matrix columns = noise(40, 3, 7);
-  const Vector target = noise(40, 1, 8);
-  Vector more = noise(40, 1, 9);
-  const BaseColumns base(joined(columns, columns.col(0)), target);
-  EXPECT_NEAR(base.left_with(more), residual_squares(joined(columns, more), target), 1e-12);
-  more[3] = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_TRUE(std::isinf(base.left_with(more)));
-}
-
 }  // namespace
 }  // namespace lacuna

@@ -71,16 +71,6 @@ TEST_F(ExtendedPipelines, EquationsAreOfferedTheFormsOfAllOthersOnce) {
   }
 }
 
-TEST_F(ExtendedPipelines, ShapesAreThoseThatTrajectoriesAskFor) {
-  const Extension found = pipeline_.settled(
-      {{0, terms({"1"}), {form(0, 0.52)}}, {1, terms({"y"}), {form(1, 0.49)}}}, candidates_);
-  for (const EquationForms& equation : found.equations) {
-    ASSERT_EQ(equation.forms.size(), 1u);
-    EXPECT_NEAR(equation.forms[0].shapes[0], 0.5, 1e-6);
-  }
-  EXPECT_EQ(found.numbers(), 6u);
-}
-
 TEST_F(ExtendedPipelines, WhereTermsWereMissingShapesAreFittedAgainBesideThem) {
   const Extension found = pipeline_.settled(
       {{0, terms({"1"}), {form(0, 0.52)}}, {1, {}, {form(1, 0.6)}}}, candidates_);

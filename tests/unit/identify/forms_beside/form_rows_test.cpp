@@ -69,46 +69,5 @@ TEST(FormRows, OfALongRecordKeepTheSamplesWithinTestFunctions) {
   EXPECT_EQ(rows.projected(rows.values({y})), rows.columns({y}));
 }
 
-TEST(FormRows, NoiseOfTheStateIsWhiteNoiseOfItsTarget) {
-  const double sigma = 0.01;
-  const FormRows rows(circle(4001, sigma), Vector::Constant(2, sigma));
-  const Vector residual = rows.target(0) - rows.columns({parse_expression("y")}).col(0);
-  const double rms = std::sqrt(residual.squaredNorm() / static_cast<double>(rows.rows()));
-  EXPECT_NEAR(rms, sigma, 0.15 * sigma);
-}
-
-TEST(FormRows, AColumnIsTheSameAloneAndBesideAnyOthers) {
-  const FormRows rows(circle(2001, 0.01), Vector::Constant(2, 0.01));
-  std::vector<Expression> forms;
-  for (int k = 0; k < 19; ++k)
-    forms.push_back(parse_expression("sin(x + " + std::to_string(k) + "*y)"));
-  const Matrix together = rows.columns(forms);
-  ASSERT_FALSE(forms.empty());
-  for (std::size_t k = 0; k < forms.size(); ++k)
-    EXPECT_EQ(rows.columns({forms[k]}).col(0), together.col(static_cast<Index>(k))) << k;
-}
-
-TEST(FormRows, GiveTheValuesAtTheSamples) {
-  const FormRows rows(circle(101, 0.0), Vector::Zero(2));
-  const Matrix values = rows.values({parse_expression("x^2+y^2")});
-  ASSERT_EQ(values.rows(), rows.samples());
-  EXPECT_NEAR(values(17, 0), 4.0, 1e-12);
-}
-
-TEST(ResidualSquares, AreThoseOfLeastSquares) {
-  Matrix columns(5, 2);
-  columns << 1, 2, 0, 1, 3, 1, 1, 1, 2, 0;
-  Vector target(5);
-  target << 1, 0, 2, -1, 3;
-  const Vector h = (columns.transpose() * columns).inverse() * columns.transpose() * target;
-  EXPECT_NEAR(residual_squares(columns, target), (target - columns * h).squaredNorm(), 1e-12);
-  EXPECT_NEAR(residual_squares(Matrix(5, 0), target), target.squaredNorm(), 1e-12);
-  Matrix twice(5, 3);
-  twice << columns, columns.col(0);
-  EXPECT_NEAR(residual_squares(twice, target), residual_squares(columns, target), 1e-12);
-  columns(2, 1) = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_TRUE(std::isinf(residual_squares(columns, target)));
-}
-
 }  // namespace
 }  // namespace lacuna

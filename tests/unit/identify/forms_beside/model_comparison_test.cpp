@@ -57,13 +57,6 @@ TEST(ModelComparison, NoiseOfAPartOfEachStepIsNotSeen) {
   EXPECT_NEAR(comparison(5e-6).excess(one, other), std::log(0.5), 1e-12);
 }
 
-TEST(ModelComparison, AMisfitThatIsNotFiniteIsNone) {
-  const double infinite = std::numeric_limits<double>::infinity();
-  const auto one = result_of(fit_of(1.0, 1.0, true), fit_of(0.2, infinite, false));
-  const auto other = result_of(fit_of(1.0, 1.0, true), fit_of(0.1, 1.0, true));
-  EXPECT_NEAR(comparison(0.05).excess(one, other), std::log(2.0), 1e-12);
-}
-
 TEST(ModelComparison, AFitThatTakesWhatItLeavesForNoiseIsNotAhead) {
   // The cubic that leaves three times as much of x "fits" by a noise of its own.
   const auto cubic = result_of(fit_of(3e-6, 0.8, true), fit_of(1e-6, 0.9, true));
@@ -73,23 +66,6 @@ TEST(ModelComparison, AFitThatTakesWhatItLeavesForNoiseIsNotAhead) {
   const auto worse = result_of(fit_of(9e-6, 4.0, false), fit_of(1e-6, 0.9, true));
   EXPECT_TRUE(models.is_ahead(cubic, worse, 0.1));
   EXPECT_FALSE(models.is_ahead(cubic, worse, 1.2)) << "ln 3 is less";
-}
-
-TEST(ModelComparison, WhereTheNoiseIsSeenAFitIsAheadOfNone) {
-  const auto fits = result_of(fit_of(1.0, 1.0, true), fit_of(0.1, 1.0, true));
-  const auto none = result_of(fit_of(1.0, 1.0, true), fit_of(0.1, 1.3, false));
-  const ModelComparison models = comparison(0.05);
-  EXPECT_TRUE(models.is_ahead(fits, none, 0.1));
-  EXPECT_FALSE(models.is_ahead(none, fits, 0.1));
-  EXPECT_FALSE(models.is_ahead(fits, fits, 0.1));
-}
-
-TEST(ModelComparison, WhatCouldNotBeJudgedReachesTheNoiseAndIsNotKnownTo) {
-  EquationFit unknown = fit_of(1.0, 1.0, true);
-  unknown.fits_to_noise = std::nullopt;
-  const auto result = result_of(unknown, fit_of(1.0, 1.0, true));
-  EXPECT_TRUE(reaches_the_noise(result));
-  EXPECT_FALSE(is_known_to_fit(result));
 }
 
 }  // namespace

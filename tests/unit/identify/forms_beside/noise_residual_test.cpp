@@ -64,12 +64,5 @@ TEST(NoiseResidual, SaysWhereAFormWouldFitNoise) {
   EXPECT_FALSE(problem.would_fit_noise({0, {}, {}}, kHalf));
 }
 
-TEST(NoiseResidual, IsNotKnownOfMeasuredRates) {
-  Dataset data = noisy_circle(1);
-  data.trajectories[0].derivatives = data.trajectories[0].states;
-  const FormProblem problem(data, Vector::Constant(2, kNoise));
-  EXPECT_FALSE(problem.would_fit_noise(rate_of_x(problem, "x"), 0.5));
-}
-
 }  // namespace
 }  // namespace lacuna

@@ -44,13 +44,6 @@ TEST(RationalForms, TheImplicitFormGivesTheNumbersOfADenominator) {
   }));
 }
 
-TEST(RationalForms, ADenominatorNeedsNoConstant) {
-  const auto all =
-      fractions_of("dx/dt = 0.8*x - x*y/(x+0.5*y)\ndy/dt = 0.9*x*y/(x+0.5*y) - 0.6*y",
-                   Eigen::Vector2d(2.0, 0.4));
-  EXPECT_NE(form_in(all, "x*y/(x+a*y)"), nullptr);
-}
-
 TEST(RationalForms, ADenominatorHasFourMonomialsWhereItNeedsThem) {
   const auto all = fractions_of(
       "dx/dt = 0.9 - 0.1*x - 2.1*x*y/(1+1.2*x+0.7*y+0.9*x*y)\n"

@@ -17,9 +17,7 @@
 namespace lacuna {
 namespace {
 
-using ::testing::ElementsAre;
 using ::testing::HasSubstr;
-using ::testing::IsEmpty;
 
 /// Prey and predator, shifted; noise of a thousandth of each deviation.
 Dataset shifted_record(double prey, double predator) {
@@ -38,36 +36,6 @@ Pipeline of_degree(int degree) {
   Pipeline pipeline = algorithm1();
   pipeline.basis = Monomials{{.max_degree = degree}};
   return pipeline;
-}
-
-std::vector<std::string> terms_of(const Pipeline& pipeline, const Dataset& data) {
-  std::vector<std::string> warnings;
-  return with_centred_library(pipeline, data, warnings)
-      .basis->library({{data.states[0].name, data.states[1].name}, {}})
-      .names();
-}
-
-TEST(CentredLibrary, VariablesAreFarByTheirMotion) {
-  EXPECT_THAT(far_variables(shifted_record(0.0, 0.0)), IsEmpty());
-  EXPECT_THAT(far_variables(shifted_record(8.0, -8.0)), IsEmpty());
-  const auto far = far_variables(shifted_record(1000.0, -2e6));
-  ASSERT_EQ(far.size(), 2u);
-  EXPECT_EQ(far[0].name, "x");
-  EXPECT_NEAR(far[0].centre, 1001.5, 2.0);
-  EXPECT_EQ(far[0].centre, 0.1 * std::round(10.0 * far[0].centre)) << "few digits";
-  EXPECT_NEAR(far[1].centre, -2e6 + 1.4, 2.0);
-  EXPECT_GT(far[1].deviations, 1e6);
-  EXPECT_THAT(far_variables(shifted_record(std::nan(""), 0.0)), IsEmpty());
-  Dataset still = shifted_record(0.0, 0.0);
-  still.trajectories[0].states.setConstant(7.0);
-  EXPECT_THAT(far_variables(still), IsEmpty()) << "nothing moves";
-}
-
-TEST(CentredLibrary, OnlyTheFarVariableIsCountedFromElsewhere) {
-  const Dataset data = shifted_record(1000.0, 0.0);
-  const std::string x = "(x-" + format_number(far_variables(data)[0].centre) + ")";
-  EXPECT_THAT(terms_of(of_degree(2), data),
-              ElementsAre("1", x.substr(1, x.size() - 2), "y", x + "^2", x + "*y", "y^2"));
 }
 
 TEST(CentredLibrary, WhatAShiftDoesNotLeaveAsItIsStays) {

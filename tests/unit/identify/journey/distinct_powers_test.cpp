@@ -17,7 +17,6 @@
 namespace lacuna {
 namespace {
 
-using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::UnorderedElementsAre;
@@ -66,25 +65,6 @@ TEST(DistinctPowers, OfTwoValuesOnlyTheFirst) {
   EXPECT_THAT(names(pipeline), UnorderedElementsAre("1", "w", "u", "w^2", "w*u", "w^3", "w^2*u"));
   ASSERT_EQ(warnings.size(), 1u);
   EXPECT_THAT(warnings[0], HasSubstr("u takes 2 values"));
-}
-
-TEST(DistinctPowers, OfThreeValuesUpToTheSecond) {
-  std::vector<std::string> warnings;
-  const Pipeline pipeline =
-      with_distinct_powers(of_powers_to(3), step_test({0.0, 1.0, 3.0}, 30, 0.0, 1), warnings);
-  EXPECT_THAT(names(pipeline), ::testing::Not(::testing::Contains("u^3")));
-  EXPECT_THAT(names(pipeline), ::testing::Contains("w*u^2"));
-  EXPECT_EQ(names(pipeline).size(), 9u);
-}
-
-TEST(DistinctPowers, AllStayWhereValuesAreManyOrOne) {
-  std::vector<std::string> warnings;
-  for (const std::vector<double>& values :
-       {std::vector<double>{0.0, 1.0, 2.0, 3.0}, std::vector<double>{2.0, 2.0}})
-    EXPECT_EQ(names(with_distinct_powers(of_powers_to(3), step_test(values, 20, 0.0, 2), warnings))
-                  .size(),
-              10u);
-  EXPECT_THAT(warnings, IsEmpty());
 }
 
 /// What somebody wrote down stays.

@@ -71,25 +71,6 @@ TEST_F(LowerTerms, APowerThatStandsInForThemGoes) {
                                   ::testing::Field(&TrailEntry::stage, "lower terms"))));
 }
 
-TEST_F(LowerTerms, PastTheDeadlineAllStay) {
-  record("dx/dt = 0.7*x - 0.5*x*y\ndy/dt = -0.6*y + 0.4*x*y\n");
-  IdentificationResult odd = found_with({2, 4});
-  std::vector<Equation> equations = odd.model.equations();
-  equations[0].push_back({Term::parse(names_[3], {{"x", "y"}, {}}), 1e-3});
-  odd.model = odd.model.with_equations(equations);
-  RunContext late;
-  late.deadline = std::chrono::steady_clock::now();
-  const IdentificationResult found = with_lower_terms(plain_, centred_, data_, odd, late);
-  EXPECT_EQ(found.model.equations()[0].size(), odd.model.equations()[0].size());
-}
-
-TEST_F(LowerTerms, WhatTheRecordAsksForStays) {
-  record("dx/dt = 0.7*x - 0.5*x*y\ndy/dt = -0.6*y + 0.4*x*y\n");
-  const IdentificationResult right = found_with({0, 1, 2, 4});
-  EXPECT_THAT(terms_after(right), Contains(names_[4]));
-  EXPECT_EQ(result_->model.equations()[0].size(), right.model.equations()[0].size());
-}
-
 TEST_F(LowerTerms, ASquareAboutTheCentreStays) {
   // dx/dt of y only through (y - c)^2.
   record("dx/dt = y^2 - 1.2\ndy/dt = -x\n");

@@ -73,26 +73,6 @@ TEST(PlainTerms, AProductThatItDistinguishesStays) {
   EXPECT_NEAR(found.model.coefficient(0, "w*u"), -2.0, 0.1);
 }
 
-TEST(PlainTerms, PastTheDeadlineAllStay) {
-  const Dataset data = record_of(2.0, 0.0, 0.0, 1000, 1);
-  Pipeline own = algorithm1();
-  own.equations = {{"w", {"u", "w*u"}}};
-  RunContext late;
-  late.deadline = std::chrono::steady_clock::now();
-  const IdentificationResult found =
-      with_plain_terms(algorithm1(), data, identify(data, own), late);
-  EXPECT_THAT(terms_of(found.model), UnorderedElementsAre("u", "w*u"));
-}
-
-TEST(PlainTerms, WhatWentSaysWhy) {
-  const Dataset data = record_of(2.0, 0.0, 0.0, 1000, 1);
-  const IdentificationResult found = plain(data, {"u", "w*u"});
-  bool said = false;
-  for (const TrailEntry& entry : found.trail)
-    said = said || (entry.term == "w*u" && entry.stage == "lower terms" && !entry.kept);
-  EXPECT_TRUE(said);
-}
-
 TEST(PlainTerms, EquationsThatTheUserWroteStay) {
   const Dataset data = record_of(2.0, 0.0, 0.0, 1000, 1);
   Pipeline own = algorithm1();

@@ -5,7 +5,6 @@
 
 #include <chrono>
 
-
 #include "core/base/random.hpp"
 #include "lacuna/bases/monomials.hpp"
 #include "lacuna/identify/pipeline/presets.hpp"
@@ -42,13 +41,6 @@ EquationProblem problem_of(const Dataset& data, const Pipeline& pipeline,
       equation_libraries(pipeline.basis->library(variables_of(data)), data, pipeline), context);
 }
 
-TEST(EquationProblem, HasAllCandidatesAndTheFilterWithoutADeadline) {
-  const EquationProblem problem = problem_of(random_record(300, 3), algorithm1(), {});
-  EXPECT_EQ(problem.system.terms(), 20);
-  EXPECT_EQ(problem.left_out, 0);
-  EXPECT_TRUE(problem.is_filtered);
-}
-
 TEST(EquationProblem, PastTheDeadlineALargeLibraryLosesItsHighestDegrees) {
   // 1.01e9 products of 286 candidates and 10 targets; those up to degree 2 are 66.
   const Dataset data = random_record(11500, 10);
@@ -58,13 +50,6 @@ TEST(EquationProblem, PastTheDeadlineALargeLibraryLosesItsHighestDegrees) {
   EXPECT_EQ(problem.left_out, 220);
   EXPECT_FALSE(problem.is_filtered);
   EXPECT_EQ(problem.filtered.kept.size(), 66U);
-}
-
-TEST(EquationProblem, PastTheDeadlineASmallLibraryIsWhole) {
-  const EquationProblem problem =
-      problem_of(random_record(300, 3), algorithm1(), past_the_deadline());
-  EXPECT_EQ(problem.system.terms(), 20);
-  EXPECT_EQ(problem.left_out, 0);
 }
 
 TEST(EquationProblem, WhatCannotBeReadInTimeIsNotBegun) {
@@ -81,21 +66,6 @@ TEST(EquationProblem, WhatCannotBeReadInTimeIsNotBegun) {
 TEST(EquationProblem, PastTheDeadlineTooFewSamplesAreAnError) {
   EXPECT_THROW(problem_of(random_record(19, 3), algorithm1(), past_the_deadline()), DataError);
   EXPECT_THROW(problem_of(random_record(11500, 40), algorithm1(), past_the_deadline()), DataError);
-}
-
-/// A member of a team of one, which has nothing to exchange.
-class Alone final : public Team {
- public:
-  int size() const override { return 1; }
-  int rank() const override { return 0; }
-  void broadcast(std::span<double>, int) const override {}
-};
-
-TEST(EquationProblem, ATeamTakesItsTime) {
-  const Alone team;
-  RunContext context = past_the_deadline();
-  context.team = &team;
-  EXPECT_TRUE(problem_of(random_record(300, 3), algorithm1(), context).is_filtered);
 }
 
 }  // namespace

@@ -42,12 +42,6 @@ TEST(EquationTerms, WidenTheLibraryAndKeepToTheirEquation) {
   EXPECT_EQ(found.own, (std::vector<bool>{true, false}));
 }
 
-TEST(EquationTerms, NothingNamedLeavesAllToAll) {
-  const EquationLibraries found = libraries({});
-  EXPECT_TRUE(found.allowed.empty());
-  EXPECT_EQ(found.library.size(), 3);
-}
-
 TEST(EquationTerms, ErrorsNameTheEquation) {
   EXPECT_THROW(libraries({{"z", {"x"}}}), ConfigError);
   EXPECT_THROW(libraries({{"x", {}}}), ConfigError);
@@ -87,10 +81,6 @@ TEST(EquationTerms, ABoundAdmitsWhatItsInequalityDoes) {
         EXPECT_EQ(admitted, relation == ConstraintRelation::AtMost ? sum <= 5.0 : sum >= 5.0);
       }
   }
-}
-
-TEST(EquationTerms, CommonTermsStandInBoth) {
-  EXPECT_EQ(common_terms({0, 2, 5}, {2, 3, 5}), (TermSet{2, 5}));
 }
 
 }  // namespace

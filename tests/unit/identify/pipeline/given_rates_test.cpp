@@ -24,13 +24,6 @@ Dataset turning(double state_noise, double rate_noise) {
   return {"s", {{"x", ""}}, {}, {run}, {}, {}};
 }
 
-TEST(GivenRates, AreThoseThatWereNotMadeOfTheStates) {
-  Dataset data = turning(0.0, 0.0);
-  EXPECT_TRUE(has_given_rates(data));
-  data.trajectories[0].derivatives.resize(0, 0);
-  EXPECT_FALSE(has_given_rates(data));
-}
-
 TEST(GivenRates, LeaveTheirNoiseAndThatOfTheStatesThroughTheRates) {
   const OdeModel model = parse_ode("dx/dt = -2*x + x^2", "model");
   const Vector exact = noise_of_given_rates(model, turning(0.0, 0.0), Vector::Zero(1));

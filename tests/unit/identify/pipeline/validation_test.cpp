@@ -24,12 +24,5 @@ TEST(PredictionError, NoiseThatIsNotSeenIsNotTakenOff) {
   EXPECT_DOUBLE_EQ(fraction_of(2.0, 3.0, false, 4.0), 0.5);
 }
 
-TEST(ValidationVerdict, HasTheNamesOfTheAnswer) {
-  EXPECT_EQ(to_string(ValidationVerdict::FitsToNoise), "fits to noise");
-  EXPECT_EQ(to_string(ValidationVerdict::Approximation), "approximation");
-  EXPECT_EQ(to_string(ValidationVerdict::WrongLibrary), "wrong library");
-  EXPECT_EQ(to_string(ValidationVerdict::Undecided), "cannot tell");
-}
-
 }  // namespace
 }  // namespace lacuna

@@ -42,12 +42,6 @@ TEST(HeldBlocks, HoldAWindowUnlessThatLeavesFewerThanEight) {
   EXPECT_EQ(held_blocks(counted({800}), 800).front().count, 100);
 }
 
-TEST(HeldBlocks, TheirNumberAndFractionAreOptions) {
-  EXPECT_EQ(held_blocks(counted({2000}), 30, {.held_every = 2}).size(), 10U);
-  EXPECT_EQ(held_blocks(counted({2000}), 30, {.blocks = 40}).front().count, 50);
-  EXPECT_EQ(held_blocks(counted({800}), 800, {.fewest_blocks = 4}).front().count, 200);
-}
-
 TEST(HeldBlocks, OfManyShortRecordsEveryFourthIsHeldOut) {
   const std::vector<Block> blocks = held_blocks(counted(std::vector<Index>(40, 25)), 20);
   ASSERT_EQ(blocks.size(), 10U);
@@ -76,26 +70,6 @@ TEST(HeldBlocks, AreWhereARecordMoves) {
   }
 }
 
-TEST(HeldBlocks, NoiseIsMotionAndAConstantRecordIsWhole) {
-  Dataset data = resting(3000, 400, 5000);
-  auto x = data.trajectories[0].states.col(0);
-  for (Index i = 0; i < x.size(); ++i) x[i] += i % 2 == 0 ? 1.0 : -1.0;
-  EXPECT_NEAR(double(samples_in(held_blocks(data, 20))), 2100.0, 10.0);
-  x.setConstant(4.0);
-  EXPECT_NEAR(double(samples_in(held_blocks(data, 20))), 2100.0, 10.0);
-}
-
-TEST(HeldBlocks, ThinnedRecordsAreStretchesOfAll) {
-  const Dataset data = counted({500, 300, 200});
-  EXPECT_EQ(thinned(data, 1000).trajectories.size(), 3U);
-  const Dataset some = thinned(data, 300);
-  EXPECT_LE(some.samples(), 300);
-  EXPECT_GE(some.samples(), 150);
-  for (const Trajectory& record : some.trajectories)
-    for (Index i = 1; i < record.samples(); ++i)
-      EXPECT_EQ(record.states(i, 0) - record.states(i - 1, 0), 1.0);
-}
-
 TEST(HeldBlocks, WithThemTheRestIsTheWholeRecord) {
   const Dataset data = counted({500, 300});
   const std::vector<Block> blocks = held_blocks(data, 20);
@@ -114,20 +88,6 @@ TEST(HeldBlocks, ShortStretchesOfTheRestAreDropped) {
   ASSERT_EQ(rest.trajectories.size(), 1U);
   EXPECT_EQ(rest.trajectories[0].states(0, 0), 15.0);
   EXPECT_EQ(rest.samples(), 15);
-}
-
-TEST(HeldBlocks, OneSampleIsNoStretch) {
-  const Dataset rest = without_blocks(counted({10}), {{0, 1, 3}, {0, 5, 5}}, 1);
-  EXPECT_TRUE(rest.trajectories.empty());
-}
-
-TEST(HeldBlocks, AreLimitedInNumberAndThenInLength) {
-  const std::vector<Block> many =
-      limited(all_blocks(counted(std::vector<Index>(10, 100))), 300);
-  EXPECT_LE(samples_in(many), 300);
-  EXPECT_GT(many.back().record, 5U);
-  EXPECT_EQ(samples_in(limited(all_blocks(counted({1000})), 300)), 300);
-  EXPECT_EQ(samples_in(limited(all_blocks(counted({200})), 300)), 200);
 }
 
 }  // namespace

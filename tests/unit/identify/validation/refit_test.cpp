@@ -21,39 +21,6 @@ Dataset lorenz_samples(double noise, Index samples) {
   return data;
 }
 
-/// The model with all its coefficients off by a fraction.
-OdeModel disturbed(const OdeModel& model, double fraction) {
-  std::vector<Equation> equations = model.equations();
-  for (Equation& equation : equations)
-    for (WeightedTerm& summand : equation) summand.coefficient *= 1.0 + fraction;
-  return model.with_equations(std::move(equations));
-}
-
-TEST(Refit, FindsCoefficientsAgain) {
-  const OdeModel& truth = test_system("lorenz").model;
-  for (const double noise : {0.0, 0.01}) {
-    const auto found = refitted_on(lorenz_samples(noise, 3000), disturbed(truth, 0.05),
-                                   preset("algorithm1"), {});
-    ASSERT_TRUE(found.has_value()) << noise;
-    for (Index k = 0; k < 3; ++k)
-      for (const WeightedTerm& summand : truth.equations()[static_cast<std::size_t>(k)])
-        EXPECT_NEAR(found->coefficient(k, summand.term.name()), summand.coefficient,
-                    0.02 * std::abs(summand.coefficient) + 0.02)
-            << noise;
-  }
-}
-
-TEST(Refit, KeepsTermsThatAreWorthNothing) {
-  const OdeModel& truth = test_system("lorenz").model;
-  const OdeModel more = truth.with_term(0, {Term::parse("z", truth.variables()), 0.01});
-  for (const double noise : {0.0, 0.01}) {
-    const auto found = refitted_on(lorenz_samples(noise, 2000), more, preset("algorithm1"), {});
-    ASSERT_TRUE(found.has_value()) << noise;
-    EXPECT_EQ(found->equations()[0].size(), 3U);
-    EXPECT_NEAR(found->coefficient(0, "z"), 0.0, 0.05);
-  }
-}
-
 TEST(Refit, FitsWindowsAndNoMore) {
   // Of what does not fit to the noise multiple shooting would fit the coefficients again, which
   // predictions do not notice.

@@ -187,15 +187,6 @@ TEST(Validate, CoefficientsThatAreShownHaveToPredictToo) {
   EXPECT_FALSE(validation.refitted);
 }
 
-TEST(Validate, TheModelStaysWhatItIs) {
-  const Dataset data = lorenz_record(0.01, 1500);
-  const Pipeline pipeline = with_terms(kLorenzTerms);
-  const IdentificationResult found = identify(data, pipeline);
-  const std::string before = to_text(found.model);
-  validate({found, data, pipeline});
-  EXPECT_EQ(to_text(found.model), before);
-}
-
 /// th'' = -24 sin th - 0.1 th', its angle on the steps of an encoder, 1024 a turn.
 Dataset encoded_swing() {
   constexpr double kStep = 2.0 * 3.141592653589793 / 1024.0;

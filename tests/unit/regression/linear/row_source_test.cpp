@@ -22,19 +22,6 @@ TEST(RowSource, ReadsTheRowsThatAreAskedFor) {
   EXPECT_EQ(read_targets, targets.middleRows(20, 7));
 }
 
-TEST(RowSource, ReadersAreIndependent) {
-  const auto rows = make_row_source(Matrix::Random(50, 1), Matrix::Random(50, 1));
-  const auto first = rows->open();
-  const auto second = rows->open();
-  Matrix a(5, 1);
-  Matrix b(5, 1);
-  Matrix y(5, 1);
-  first->read(10, a, y);
-  second->read(30, b, y);
-  first->read(30, a, y);
-  EXPECT_EQ(a, b);
-}
-
 TEST(RowSource, RejectsDifferentNumbersOfRows) {
   EXPECT_THROW(make_row_source(Matrix(3, 1), Matrix(4, 1)), ArgumentError);
 }

@@ -83,21 +83,5 @@ INSTANTIATE_TEST_SUITE_P(Columns, TileKernels,
                          ::testing::Combine(::testing::Values(1, 2, 3, 4, 5, 7, 11, 23, 60),
                                             ::testing::ValuesIn(instruction_sets())));
 
-TEST(FoldTriangle, LeavesZeroColumnsZero) {
-  Matrix values = Matrix::Random(32, 4);
-  values.col(1).setZero();
-  Scratch scratch = scratch_of(values);
-  Matrix triangle = Matrix::Zero(4, 4);
-  fold_triangle(scratch, 32, triangle);
-  EXPECT_TRUE(triangle.col(1).isZero(0.0));
-  EXPECT_TRUE(triangle.allFinite());
-}
-
-TEST(InstructionSet, HasAName) {
-  EXPECT_EQ(name_of(InstructionSet::Generic), "generic");
-  EXPECT_EQ(name_of(InstructionSet::Avx2), "avx2");
-  EXPECT_EQ(name_of(InstructionSet::Avx512), "avx512");
-}
-
 }  // namespace
 }  // namespace lacuna

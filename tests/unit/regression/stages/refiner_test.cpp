@@ -31,12 +31,6 @@ Dataset line() {
   return data;
 }
 
-TEST(Refiner, HandsTheTaskOn) {
-  const Dataset data = line();
-  const OdeModel model(data.states, {}, {{}});
-  EXPECT_EQ(Shift{}.refine({data, {{{"x"}, {}}, {}}, model}).model.states(), data.states);
-}
-
 TEST(Refiner, RefusesModelsOfOtherStatesAndUnusableData) {
   const Dataset data = line();
   const OdeModel other({{"y", "m"}}, {}, {{}});

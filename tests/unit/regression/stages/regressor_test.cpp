@@ -28,13 +28,6 @@ class Direct final : public Configured<Regressor, DirectOptions> {
   }
 };
 
-TEST(Regressor, FitsTheSubproblem) {
-  const LeastSquaresSystem system = small_system();
-  const Regression result = Direct{}.fit(system, system.subproblem(0, {0, 2}));
-  EXPECT_EQ(result.active, (TermSet{0, 2}));
-  EXPECT_LT((result.coefficients - Eigen::Vector2d(1, -1)).norm(), 1e-12);
-}
-
 TEST(Regressor, EmptySetLeavesTheTarget) {
   const LeastSquaresSystem system = small_system();
   const Regression result = Direct{}.fit(system, system.subproblem(1, {}));

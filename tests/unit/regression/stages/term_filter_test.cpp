@@ -39,13 +39,6 @@ TEST(TermFilter, ColumnsOfZerosAreRemovedWhateverTheMethod) {
   EXPECT_EQ(result.removed[0].value, 0.0);
 }
 
-TEST(TermFilter, RemovalsOfTheMethodAreKept) {
-  const FilterResult result =
-      filtered({{2}, {{0, "why", 1.0, 2.0, 1}, {1, "why", 0.0, 2.0, 1}}});
-  EXPECT_EQ(result.kept, TermSet{2});
-  EXPECT_EQ(result.removed.size(), 2u);
-}
-
 TEST(TermFilter, EveryTermMustBeAccountedFor) {
   EXPECT_THROW(filtered({{0, 2}, {}}), ArgumentError);
   EXPECT_THROW(filtered({{0, 1, 2}, {{1, "why", 0.0, 0.0, 1}}}), ArgumentError);

@@ -35,11 +35,6 @@ class Keep final : public Configured<TermPruner, KeepOptions> {
   }
 };
 
-TEST(TermPruner, GivesWhatTheMethodKeeps) {
-  const PruneResult result = Keep{}.prune(small_system(), 1, {0, 2}, Idle{});
-  EXPECT_EQ(result.kept, (TermSet{0, 2}));
-}
-
 TEST(TermPruner, NothingToChooseFromIsNotAskedFor) {
   EXPECT_TRUE(Keep{{.lost = 1}}.prune(small_system(), 0, {}, Idle{}).kept.empty());
 }
