@@ -7,9 +7,7 @@
 namespace lacuna {
 namespace {
 
-using testing::Contains;
 using testing::ElementsAre;
-using testing::Not;
 
 const Variables kXyz{{"x", "y", "z"}, {}};
 const Variables kDrivenPlane{{"x"}, {"u"}};
@@ -23,11 +21,6 @@ TEST(Monomials, AreInDegreeLexicographicOrder) {
               ElementsAre("1", "x", "y", "z", "x^2", "x*y", "x*z", "y^2", "y*z", "z^2"));
 }
 
-TEST(Monomials, CountIsTheBinomialCoefficient) {
-  EXPECT_EQ(names({.max_degree = 3}, kXyz).size(), 20u);
-  EXPECT_EQ(names({.max_degree = 5}, kXyz).size(), 56u);
-}
-
 TEST(Monomials, LowestDegreeAboveZeroLeavesLowerTermsOut) {
   EXPECT_THAT(names({.min_degree = 2, .max_degree = 2}, kXyz),
               ElementsAre("x^2", "x*y", "x*z", "y^2", "y*z", "z^2"));
@@ -37,13 +30,6 @@ TEST(Monomials, NegativeDegreesAllowNegativePowers) {
   const Variables two{{"x", "y"}, {}};
   EXPECT_THAT(names({.min_degree = -1, .max_degree = 1}, two),
               ElementsAre("x^-1", "y^-1", "1", "x*y^-1", "x^-1*y", "x", "y"));
-}
-
-TEST(Monomials, NegativePartIsLimitedByTheLowestDegree) {
-  const Variables two{{"x", "y"}, {}};
-  EXPECT_THAT(names({.min_degree = -1, .max_degree = 0}, two), Not(Contains("x^-1*y^-1")));
-  EXPECT_THAT(names({.min_degree = -2, .max_degree = 0}, two), Contains("x^-1*y^-1"));
-  EXPECT_THAT(names({.min_degree = -2, .max_degree = 0}, two), Not(Contains("x^-2*y^-1")));
 }
 
 TEST(Monomials, TermsEvaluateAsNamed) {
@@ -76,10 +62,6 @@ TEST(Monomials, IncludeAddsAndExcludeRemoves) {
   EXPECT_THAT(
       names({.max_degree = 1, .include = {"sin(x)", "x"}, .exclude = {"u"}}, kDrivenPlane),
       ElementsAre("1", "x", "sin(x)"));
-}
-
-TEST(Monomials, ExcludedTermsMayBeWrittenInAnyWay) {
-  EXPECT_THAT(names({.max_degree = 2, .exclude = {"y*x"}}, kXyz), Not(Contains("x*y")));
 }
 
 TEST(Monomials, UnknownVariableNamesTheEntry) {

@@ -42,21 +42,5 @@ TEST(DensityDistance, UnitsDoNotCount) {
   EXPECT_NEAR(density_distance(a, b), before, 1e-12);
 }
 
-TEST(DensityDistance, NeedsTheSameStates) {
-  EXPECT_THROW(density_distance(Matrix::Ones(4, 2), Matrix::Ones(4, 3)), ArgumentError);
-  EXPECT_THROW(density_distance(Matrix(0, 2), Matrix(0, 2)), ArgumentError);
-}
-
-TEST(DensityDistance, WhatIsNotFiniteOrTooLargeIsNotIdentical) {
-  const Matrix good = Matrix::Random(50, 2);
-  for (const double value : {std::numeric_limits<double>::quiet_NaN(),
-                             std::numeric_limits<double>::infinity(), 1e300}) {
-    Matrix bad = good;
-    bad(7, 1) = value;
-    EXPECT_THROW(density_distance(good, bad), ArgumentError) << value;
-    EXPECT_THROW(density_distance(bad, bad), ArgumentError) << value;
-  }
-}
-
 }  // namespace
 }  // namespace lacuna

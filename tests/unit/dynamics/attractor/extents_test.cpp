@@ -47,11 +47,5 @@ TEST(AttractorExtents, TrajectoriesCountTogether) {
   EXPECT_EQ(attractor_extents(record, 2).size, (Vector{{11.0, 11.0}}));
 }
 
-TEST(AttractorExtents, NeedsBlocksOfTwoSamples) {
-  const Dataset record = record_of_columns(Vector{{0, 1, 0}}, Vector{{0, 1, 0}});
-  EXPECT_THROW(attractor_extents(record, 2), ArgumentError);
-  EXPECT_THROW(attractor_extents(record, 1), ArgumentError);
-}
-
 }  // namespace
 }  // namespace lacuna

@@ -47,12 +47,5 @@ TEST(ValidPredictionTime, OfAChaoticSystemFallsWithTheErrorOfTheModel) {
   EXPECT_GT(median(1e-4), median(1e-1) + 3.0);
 }
 
-TEST(ValidPredictionTime, BadOptionsAreRefused) {
-  const Dataset ramp = record_of(drift(1.0), Rk4{}, Vector{{0.0}}, 0.01, 11);
-  EXPECT_THROW(valid_prediction_time(drift(1.0), ramp, Rk4{}, {.threshold = 0.0}),
-               ArgumentError);
-  EXPECT_THROW(valid_prediction_time(drift(1.0), ramp, Rk4{}, {.starts = 0}), ArgumentError);
-}
-
 }  // namespace
 }  // namespace lacuna

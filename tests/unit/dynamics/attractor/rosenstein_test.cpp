@@ -45,13 +45,5 @@ TEST(RosensteinDivergence, UnitsOfTheStatesDoNotCount) {
   EXPECT_NEAR(rosenstein_divergence(record.trajectories[0], 200).exponent, before, 1e-9);
 }
 
-TEST(RosensteinDivergence, ShortAndStillRecordsAreRefused) {
-  EXPECT_THROW(divergence_of("lorenz", 0.02, 300), ArgumentError);
-  Trajectory still;
-  still.time = Vector::LinSpaced(100, 0.0, 1.0);
-  still.states = Matrix::Ones(100, 2);
-  EXPECT_THROW(rosenstein_divergence(still), ArgumentError);
-}
-
 }  // namespace
 }  // namespace lacuna

@@ -82,14 +82,5 @@ TEST(RecordInput, ShapesMustFit) {
   EXPECT_THROW(RecordInput(sine(51, 0.2), std::vector<Quantity>{{"a", ""}}), ArgumentError);
 }
 
-TEST(RecordInput, CopiesDoNotShareSamples) {
-  auto original = std::make_unique<RecordInput>(sine(51, 0.2));
-  RecordInput copy(*original);
-  original.reset();
-  double u[2];
-  copy(1.0, u);
-  EXPECT_NEAR(u[0], std::sin(1.0), 1e-4);
-}
-
 }  // namespace
 }  // namespace lacuna

@@ -32,11 +32,6 @@ double measured_order(const ButcherTableau& tableau, int steps, double length) {
   return std::log2(coarse / fine);
 }
 
-ButcherTableau embedded_of(ButcherTableau tableau) {
-  tableau.weights = tableau.embedded;
-  return tableau;
-}
-
 // Steps that are small enough for the leading error and far enough from rounding.
 TEST(RungeKutta, ErrorFallsWithTheOrder) {
   const std::array<int, 7> steps{20, 80, 40, 40, 20, 10, 10};
@@ -44,11 +39,6 @@ TEST(RungeKutta, ErrorFallsWithTheOrder) {
     EXPECT_NEAR(
         measured_order(method_of_order(order), steps[static_cast<std::size_t>(order - 2)], 2.0),
         order, 0.05 * order);
-}
-
-TEST(RungeKutta, EmbeddedSolutionsHaveTheirOrder) {
-  EXPECT_NEAR(measured_order(embedded_of(dormand_prince_54()), 400, 4.0), 4.0, 0.25);
-  EXPECT_NEAR(measured_order(embedded_of(prince_dormand_87()), 14, 4.0), 7.0, 0.6);
 }
 
 TEST(RungeKutta, IntegratorsAreTheMethodsTheyAreNamedAfter) {
@@ -88,11 +78,6 @@ int evaluations(const Integrator& integrator, double length) {
   double t = 0.0;
   integrator.make_stepper(2)->advance(rhs, t, length, x.data());
   return count;
-}
-
-TEST(RungeKutta, HigherOrderNeedsFewerEvaluationsForHighAccuracy) {
-  const StepControl control{.relative_tolerance = 1e-12, .absolute_tolerance = 1e-12};
-  EXPECT_LT(2 * evaluations(Dopri87({control}), 20.0), evaluations(Dopri5({control}), 20.0));
 }
 
 TEST(RungeKutta, LongestStepIsKept) {
@@ -178,10 +163,6 @@ TEST(RungeKutta, AMassThatDryFrictionHoldsRestsUntilTheForceIsLargeEnough) {
     return 0.8 * (std::cos(slips) - std::cos(end)) - 0.5 * (end - slips);
   };
   EXPECT_NEAR(x[1], speed(2.0), 1e-3);
-}
-
-TEST(RungeKutta, AdaptiveNeedsAnEmbeddedSolution) {
-  EXPECT_THROW(adaptive_stepper(runge_kutta_4(), 1, {}), ArgumentError);
 }
 
 TEST(RungeKutta, OptionsOutOfRangeAreRefused) {

@@ -29,16 +29,5 @@ TEST(RosslerCircuit, MeasuredPartsGiveTheAdjustedSystem) {
   EXPECT_NEAR(circuit.coefficient(2, "z"), -100.0 / (9.9 * 9.9) * 9.99 * 5.7 / 9.12, 1e-12);
 }
 
-TEST(RosslerCircuit, IsInVoltsPerTau) {
-  const OdeModel circuit = rossler_circuit();
-  EXPECT_EQ(circuit.time_unit(), "tau");
-  EXPECT_EQ(circuit.states()[2].unit, "V");
-}
-
-TEST(RosslerCircuit, PartsMustBePositive) {
-  EXPECT_THROW(rossler_circuit({.r10 = 0.0}), ArgumentError);
-  EXPECT_THROW(rossler_circuit({.c2 = -1.0}), ArgumentError);
-}
-
 }  // namespace
 }  // namespace lacuna

@@ -66,9 +66,5 @@ TEST(Resampled, IsTheSignalOnAUniformGrid) {
     EXPECT_NEAR(run.states(i, 0), std::sin(1.0 + run.time[i]), 1e-12) << i;
 }
 
-TEST(Resampled, RecordMustBeLongEnough) {
-  EXPECT_THROW(resampled(uneven_sine(), 1e-3, 1e-3, 0.1, 80), DataError);
-}
-
 }  // namespace
 }  // namespace lacuna

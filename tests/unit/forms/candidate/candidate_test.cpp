@@ -35,11 +35,6 @@ Candidate lag(const std::string& name) {
   return candidate;
 }
 
-TEST(Candidate, NumbersStandInPlaceOfShapes) {
-  const std::vector<double> values{0.25, -1.5};
-  EXPECT_EQ(bind_form(delayed(), values), parse_expression("a_1*delay(x,0.25)-(-1.5)*x"));
-}
-
 TEST(Candidate, DependsOnWhatItsFormAndItsMemoryAreFunctionsOf) {
   EXPECT_TRUE(delayed().depends_on("x"));
   EXPECT_FALSE(delayed().depends_on("u"));
@@ -47,11 +42,6 @@ TEST(Candidate, DependsOnWhatItsFormAndItsMemoryAreFunctionsOf) {
   remembered.form = parse_expression("follower");
   EXPECT_TRUE(remembered.depends_on("u")) << "through its memory";
   EXPECT_FALSE(remembered.depends_on("x"));
-}
-
-TEST(Candidate, EveryShapeNeedsAValue) {
-  const std::vector<double> one{0.25};
-  EXPECT_THROW(bind_form(delayed(), one), ArgumentError);
 }
 
 TEST(Candidate, MemoryGetsAnotherNameWhereItsOwnIsTaken) {

@@ -10,12 +10,6 @@
 namespace lacuna {
 namespace {
 
-TEST(Tone, ComesToTwoPeriodsInTheRecord) {
-  const Scope scope = support::oscillator_scope();  // of 10 s
-  EXPECT_TRUE(is_tone({0, 0.2, 0.0}, scope));
-  EXPECT_FALSE(is_tone({0, 0.19, 0.0}, scope));
-}
-
 TEST(Tone, BeginsAtTheLineWithinTheResolutionOfTheRecord) {
   const Candidate tone = tone_candidate({1, 3.0, 0.5}, support::oscillator_scope());
   EXPECT_EQ(tone.form, parse_expression("sin(2*pi*frequency*t+phase)"));
@@ -28,16 +22,6 @@ TEST(Tone, BeginsAtTheLineWithinTheResolutionOfTheRecord) {
   EXPECT_NEAR(tone.shapes[1].high - tone.shapes[1].low, 2.0 * std::numbers::pi, 1e-12);
   ASSERT_EQ(tone.starts.size(), 1u);
   EXPECT_EQ(tone.starts[0], (Vector{{3.0, 0.5}}));
-}
-
-TEST(Tone, LeavesNamesOfTheModelAlone) {
-  Scope scope = support::oscillator_scope();
-  scope.model = parse_model(R"({"format": "lacuna.model/1", "time_unit": "s",
-    "states": [{"name": "phase", "unit": ""}], "inputs": [],
-    "equations": [{"state": "phase", "terms": [{"term": "1", "coefficient": 1.0}]}]})",
-                            "turning");
-  const Candidate tone = tone_candidate({0, 3.0, 0.5}, scope);
-  EXPECT_NE(tone.shapes[1].name, "phase");
 }
 
 }  // namespace

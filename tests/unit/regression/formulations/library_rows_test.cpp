@@ -34,18 +34,6 @@ Tile read(const LibraryRows& rows, Index first, Index count) {
   return tile;
 }
 
-TEST(LibraryRows, AreTermsAndDerivativesAtTheSamples) {
-  const Trajectory record = record_with_derivatives(30);
-  const LibraryRows rows(library_of({"x*v", "u", "t"}), {record});
-  ASSERT_EQ(rows.rows(), 30);
-  const Tile all = read(rows, 0, 30);
-  EXPECT_LT((all.theta.col(0) - record.states.col(0).cwiseProduct(record.states.col(1))).norm(),
-            1e-14);
-  EXPECT_EQ(all.theta.col(1), record.inputs.col(0));
-  EXPECT_EQ(all.theta.col(2), record.time);
-  EXPECT_EQ(all.targets, record.derivatives);
-}
-
 TEST(LibraryRows, TilesRunAcrossRecords) {
   const LibraryRows rows(library_of({"x", "t"}),
                          {record_with_derivatives(10), record_with_derivatives(3, 5.0),
@@ -91,11 +79,6 @@ TEST(LibraryRows, FindTheEntryThatIsNotFinite) {
   EXPECT_EQ(entry->sample, 0);
   EXPECT_EQ(entry->time, 0.0);
   EXPECT_EQ(entry->values, "v = 2, x = 0");
-}
-
-TEST(LibraryRows, FiniteRowsHaveNoSuchEntry) {
-  EXPECT_FALSE(
-      LibraryRows(library_of({"x"}), {record_with_derivatives(600)}).find_non_finite());
 }
 
 /// Where a held input jumps a row is the mean of both limits, in whatever tile it is read.

@@ -100,30 +100,6 @@ TEST(StreamedRows, GivenDerivativesAreTakenAsTheyAre) {
   EXPECT_EQ(in_pieces.theta, rows.theta(even, Eigen::all));
 }
 
-TEST(StreamedRows, ReadersStartAnywhere) {
-  const Dataset data = testing::long_oscillation(30000, 97.3);
-  const StreamedRows rows = streamed(data, FiniteDifferences{{.order = 8}});
-  const ReadRows all = all_rows_of(rows, 256);
-  Matrix theta(100, 4), targets(100, 2);
-  for (const Index first : {20000, 8150, 0}) {
-    const auto reader = rows.open();
-    reader->read(first, theta, targets);
-    EXPECT_EQ(theta, all.theta.middleRows(first, 100));
-    EXPECT_EQ(targets, all.targets.middleRows(first, 100));
-  }
-}
-
-TEST(StreamedRows, SayWhereATermIsNotFinite) {
-  Dataset data = testing::long_oscillation(30000, 97.3);
-  data.trajectories[0].states(20000, 1) = 0.0;
-  const auto library = swing_terms({"1/v"});
-  const auto entry = streamed(data, FiniteDifferences{{.order = 8}}, library).find_non_finite();
-  ASSERT_TRUE(entry);
-  EXPECT_EQ(entry->sample, 20000);
-  EXPECT_EQ(entry->time, data.trajectories[0].time[20000]);
-  EXPECT_EQ(entry->term, "v^-1");
-}
-
 TEST(StreamedRows, HaveNoPast) {
   const Dataset data = testing::long_oscillation(30000, 97.3);
   EXPECT_THROW(streamed(data, FiniteDifferences{{.order = 8}}, swing_terms({"delay(x,0.5)"})),
