@@ -30,31 +30,6 @@ AugmentedProblem augmented(const std::vector<FittedEffect>& effects) {
                  {data.trajectories.front().states});
 }
 
-TEST(Augment, EffectsStandBehindTheNominalTermsAndAreFree) {
-  const AugmentedProblem made =
-      augmented({fitted(support::plain_candidate("sign(v)")),
-                 fitted(support::stop_candidate(0.0), Vector::Constant(1, 0.25), 2.0)});
-  EXPECT_EQ(made.effect_places, (std::vector<CoefficientPlace>{{1, 3}, {1, 4}}));
-  EXPECT_EQ(made.free.size(), 5u) << "three nominal ones and two of effects";
-  EXPECT_EQ(made.free.back(), (CoefficientPlace{1, 4}));
-  EXPECT_EQ(made.model.coefficient(1, "sign(v)"), -0.3);
-  EXPECT_EQ(made.model.equations()[1][4].term.expression(), parse_expression("min(q-0.25,0)"));
-  EXPECT_EQ(made.model.equations()[1][4].coefficient, 2.0);
-}
-
-TEST(Augment, WhatIsMeasuredGetsASummandAndTheModelNone) {
-  Candidate skew = support::plain_candidate("v");
-  skew.place = Place::Channel;
-  skew.equation = 0;
-  const AugmentedProblem made = augmented({fitted(skew, Vector(0), 0.01)});
-  EXPECT_EQ(made.model.equations()[0].size(), 1u);
-  ASSERT_EQ(made.channel_terms.size(), 1u);
-  EXPECT_EQ(made.channel_terms[0].state, 0);
-  EXPECT_EQ(made.channel_terms[0].form, parse_expression("v"));
-  EXPECT_EQ(made.channel_terms[0].coefficient, 0.01);
-  EXPECT_EQ(made.free.size(), 3u) << "its coefficient is not one of the model";
-}
-
 TEST(Augment, AMemoryIsAStateThatWasNotMeasuredWithItsSolution) {
   constexpr double kLag = 0.4;
   const AugmentedProblem made = augmented({fitted(lagging("z"), Vector::Constant(1, kLag))});

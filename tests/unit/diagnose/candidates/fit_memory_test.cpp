@@ -27,12 +27,6 @@ struct Asked {
   }
 };
 
-TEST(FitKey, IsTheSameForTheSameFit) {
-  const Asked asked;
-  Asked again;
-  EXPECT_EQ(asked.key(), again.key());
-}
-
 TEST(FitKey, TellsWhateverDecides) {
   const std::vector<std::function<void(Asked&)>> changes{
       [](Asked&) {},

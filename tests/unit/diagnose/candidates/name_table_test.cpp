@@ -35,18 +35,5 @@ TEST(NameTable, NamesFollowFromTheFittedNumbers) {
   EXPECT_EQ(bends.names(60.0, effects), std::vector<std::string>{"dead-zone"});
 }
 
-TEST(NameTable, ParametersHaveTheNamesOfTheEffect) {
-  const Bends bends;
-  const FittedEffect fitted{
-      support::candidate_of<kPiecewiseLinear>(bends.scope, 1, "clip(q-u,-edge,edge)"),
-      Vector::Constant(1, 0.3), 60.0, 0.1};
-  const std::vector<Stage<Effect>> effects{FamilyEffect<kBacklash>()};
-  const NameTable table{effects, bends.scope, bends.options};
-  const Name name = table.names_of(fitted, bends.scope.model).at(0);
-  EXPECT_EQ(name.parameters, std::vector<std::string>{"gap"});
-  EXPECT_EQ(name.sentence, "play in q-u");
-  EXPECT_EQ(name.cause, "worn gears, couplings, linkages, screws");
-}
-
 }  // namespace
 }  // namespace lacuna

@@ -8,19 +8,6 @@
 namespace lacuna {
 namespace {
 
-TEST(Screening, TheHiddenTermGainsMost) {
-  const Assimilation fit =
-      support::assimilated(support::hidden_record(support::dry_friction, 0.01));
-  const Screening screening(fit);
-  const auto found =
-      screen({support::plain_candidate("q^3"), support::plain_candidate("sign(v)"),
-              support::plain_candidate("v^3"), support::plain_candidate("1")},
-             screening, ScreeningOptions{}, RunContext{});
-  EXPECT_EQ(found.front().candidate.form, parse_expression("sign(v)"));
-  EXPECT_NEAR(found.front().coefficient, -0.3, 0.03);
-  EXPECT_GT(found.front().gain, 50.0);
-}
-
 TEST(Screening, WhatIsKnownIsNotScreenedAgain) {
   const Assimilation fit =
       support::assimilated(support::hidden_record(support::dry_friction, 0.01));

@@ -21,16 +21,6 @@ TEST(LookAt, SaysNothingOfAHealthyRecord) {
   EXPECT_EQ(withheld_by({}), Withheld::Nothing);
 }
 
-TEST(LookAt, ASlipIsAllThatIsSaid) {
-  Dataset data = support::hidden_record(support::nothing, 0.01);
-  data.trajectories[0].time *= 1000.0;
-  data.trajectories[0].inputs.setZero();  // excitation is not told of
-  const std::vector<Hint> hints = hints_of(kOscillator, data);
-  ASSERT_EQ(hints.size(), 1u);
-  EXPECT_EQ(to_string(hints[0].kind), "time-unit");
-  EXPECT_EQ(withheld_by(hints), Withheld::Answer);
-}
-
 TEST(LookAt, ColumnsTheModelDoesNotKnowAreTried) {
   const OdeModel without({{"q", "m"}, {"v", "m/s"}}, {},
                          {kOscillator.equations()[0],

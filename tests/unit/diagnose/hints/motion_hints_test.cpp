@@ -5,7 +5,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
 
 #include "core/base/random.hpp"
 #include "lacuna/model/files/ode_text.hpp"

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "diagnose/hints/unused_columns.hpp"
 
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "core/base/random.hpp"
@@ -9,10 +8,6 @@
 
 namespace lacuna {
 namespace {
-
-using ::testing::HasSubstr;
-
-double gust(double t) { return std::sin(2.3 * t) + std::sin(0.9 * t + 0.4); }
 
 /// The records with one further column, a function of a sample, as their only input.
 template <class Column>
@@ -29,19 +24,6 @@ std::vector<Hint> hints_for(const support::Hidden& hidden, const Column& column)
   const BoundRecords records = observed(data);
   return unused_column_hints(support::oscillator(), records, with_column(data, column),
                              rate_windows(records), {});
-}
-
-const auto kGust = [](const Trajectory& record, Index i) { return gust(record.time[i]); };
-
-TEST(UnusedColumns, TellAnInputThatTheModelLacks) {
-  const std::vector<Hint> hints =
-      hints_for([](double t, double, double) { return 0.4 * gust(t); }, kGust);
-  ASSERT_EQ(hints.size(), 1u);
-  EXPECT_EQ(hints[0].kind, HintKind::UnusedColumn);
-  EXPECT_EQ(hints[0].withheld, Withheld::Names);
-  EXPECT_THAT(hints[0].message, HasSubstr("column G"));
-  EXPECT_THAT(hints[0].message, HasSubstr("of the disagreement in dv/dt"));
-  EXPECT_THAT(hints[0].remedy, HasSubstr("about 0.4 in dv/dt"));
 }
 
 TEST(UnusedColumns, SayNothingOfCopiesOfWhatTheModelKnows) {

@@ -64,17 +64,5 @@ TEST(ColouredNoise, DeclinesWithItsNumberWhereTheDynamicsExplainMore) {
   EXPECT_DOUBLE_EQ(made.trail[0].threshold, asked.options.criterion->value(evidence_of(best)));
 }
 
-TEST(ColouredNoise, ChannelsAreToldFromTheFractionThatIsAsked) {
-  NoiseModel noise;
-  noise.measurement = {0.1, 0.2};
-  noise.coloured = {ColouredNoise{0.04, 3.0}, ColouredNoise{0.15, 4.0}};
-  const OdeModel model = support::oscillator();
-  EXPECT_EQ(channels_with_memory(noise, model, 0.5), "v 0.15 m/s over 4 s");
-  EXPECT_EQ(channels_with_memory(noise, model, 0.3), "q 0.04 m over 3 s, v 0.15 m/s over 4 s");
-  EXPECT_EQ(channels_with_memory(noise, model, 0.8), "");
-  noise.coloured[1].reset();
-  EXPECT_EQ(channels_with_memory(noise, model, 0.1), "q 0.04 m over 3 s");
-}
-
 }  // namespace
 }  // namespace lacuna

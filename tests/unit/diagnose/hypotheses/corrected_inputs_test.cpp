@@ -3,10 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-
 #include "support/asked.hpp"
-#include "support/assimilated_oscillator.hpp"
 
 namespace lacuna {
 namespace {

@@ -36,10 +36,6 @@ void expect_formula(const std::string& function, const support::Hidden& hidden) 
   EXPECT_LT((found - truth).squaredNorm(), 0.003 * truth.squaredNorm()) << formula;
 }
 
-TEST(CurveFormula, IsASine) {
-  expect_formula("sin(", [](double, double q, double) { return 2.0 * std::sin(4.0 * q + 0.7); });
-}
-
 TEST(CurveFormula, IsAPower) {
   expect_formula("abs(q)^", [](double, double q, double) {
     return -4.0 * std::copysign(std::pow(std::abs(q), 2.3), q);

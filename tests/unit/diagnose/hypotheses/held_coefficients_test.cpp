@@ -33,32 +33,6 @@ support::Asked asked_of(const support::Hidden& hidden, double gain) {
   return {.records = observed(shown_force(hidden, gain)), .nominal = with_known_force()};
 }
 
-TEST(HeldCoefficients, AGainOfAnInputIsItsCoefficient) {
-  const support::Asked asked = asked_of(support::nothing, 1.25);
-  const Proposals made = HeldCoefficients().propose(asked.problem(), asked.bare());
-  ASSERT_EQ(made.composites.size(), 1u);
-  EXPECT_TRUE(made.composites[0].search_first);
-  const CompositeModel& composite = made.composites[0].composite;
-  EXPECT_TRUE(composite.named.empty());
-  EXPECT_NEAR(composite.explanation.fit.model.coefficient(1, "F"), 1.0 / 1.25, 0.01);
-  ASSERT_EQ(composite.base->notes.size(), 1u);
-  EXPECT_NE(composite.base->notes[0].find("that of F in dv/dt at 1"), std::string::npos)
-      << composite.base->notes[0];
-}
-
-TEST(HeldCoefficients, WhatTheRecordsDoNotContradictStaysHeld) {
-  const support::Asked asked = asked_of(support::ripple, 1.0);
-  for (const CoefficientPlace& place : free_coefficients(asked.nominal))
-    EXPECT_NE(place, (CoefficientPlace{1, 2}));
-  const auto composites =
-      HeldCoefficients().propose(asked.problem(), asked.bare()).composites;
-  EXPECT_TRUE(composites.empty());
-  const support::Asked nothing_missing = asked_of(support::nothing, 1.0);
-  EXPECT_TRUE(HeldCoefficients()
-                  .propose(nothing_missing.problem(), nothing_missing.bare())
-                  .composites.empty());
-}
-
 TEST(HeldCoefficients, WhatEffectsExplainContradictsNone) {
   const auto drag = [](double, double, double v) { return -1.2 * v * std::abs(v); };
   const support::Asked asked = asked_of(drag, 1.0);

@@ -2,10 +2,6 @@
 // Inputs that were recorded seldom and put on lines: the curve through what was recorded.
 #include <gtest/gtest.h>
 
-#include <cmath>
-
-#include "cli/configuration/diagnosis_configuration.hpp"
-#include "diagnose/hypotheses/input_holds.hpp"
 #include "diagnose/hypotheses/sensor_fault.hpp"
 #include "lacuna/diagnose/journey/diagnose.hpp"
 #include "records/channels/interpolated.hpp"

@@ -36,19 +36,6 @@ TEST(InputNoise, IsWhatSamplesShow) {
   EXPECT_EQ(noise_of_inputs(with_noise(0.0).records.data)[0].noise, 0.0);
 }
 
-TEST(InputNoise, IsNoStructure) {
-  const support::Asked asked = with_noise(0.5);
-  const Problem problem = asked.problem();
-  const Assimilation fit = asked.baseline()->fitted;
-  EXPECT_TRUE(is_left_in_v(test_disturbances(fit, asked.context)));
-  EXPECT_FALSE(is_left_in_v(structure_left(problem, fit)));
-  const std::vector<NoisyInput> noisy = noisy_inputs(problem, fit);
-  ASSERT_EQ(noisy.size(), 1u);
-  EXPECT_EQ(noisy[0].equation, 1);
-  EXPECT_NEAR(noisy[0].noise, 0.5, 0.05);
-  EXPECT_NE(notes_on(problem, noisy)[0].find("F is measured with noise"), std::string::npos);
-}
-
 TEST(InputNoise, DoesNotHideWhatIsMuchMore) {
   support::Asked asked = support::asked(support::ripple);
   asked.options.decision.input_noise = 0.6;

@@ -4,7 +4,6 @@
 
 #include <cmath>
 
-#include "cli/configuration/diagnosis_configuration.hpp"
 #include "core/base/random.hpp"
 #include "diagnose/hypotheses/sensor_fault.hpp"
 #include "lacuna/diagnose/journey/diagnose.hpp"

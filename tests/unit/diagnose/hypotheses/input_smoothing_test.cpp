@@ -26,20 +26,6 @@ double off(const Dataset& data, const Dataset& truth) {
   return std::sqrt(rest.array().square().mean());
 }
 
-TEST(InputSmoothing, TakesTheNoiseFromASmoothInput) {
-  const Dataset smooth = support::hidden_record(support::dry_friction, 1e-4);
-  const support::Asked asked{.records = observed(with_noisy_input(smooth, 0.1))};
-  const CompositeModel best = asked.bare();
-  const auto composites = InputSmoothing{}.propose(asked.problem(), best).composites;
-  ASSERT_EQ(composites.size(), 1u);
-  const CompositeModel& composite = composites[0].composite;
-  ASSERT_EQ(composite.base->notes.size(), 1u);
-  EXPECT_NE(composite.base->notes[0].find("noise of 0.1"), std::string::npos)
-      << composite.base->notes[0];
-  const Dataset other = with_noisy_input(smooth, 0.1, 5);
-  EXPECT_LT(off(composite.base->correct(other), smooth), 0.35 * off(other, smooth));
-}
-
 /// The force as levels that jump.
 Dataset levels(std::uint64_t seed, double noise) {
   Random random(seed);

@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "support/asked.hpp"
-#include "support/assimilated_oscillator.hpp"
 
 namespace lacuna {
 namespace {
@@ -29,27 +28,6 @@ TEST(ResidualFunction, SaysOfWhichVariableTheStructureIsAFunction) {
   EXPECT_TRUE(composite.explanation.effects.empty()) << "it only describes";
   EXPECT_EQ(std::get<ByRule>(made.composites[0].judged).why,
             "describes the residual; explains nothing");
-}
-
-TEST(ResidualFunction, StandsInTheModelWhenAsked) {
-  support::Asked asked = support::asked(support::ripple);
-  asked.options.fill_gap = true;
-  const CompositeModel bare = asked.bare();
-  const Proposals made = proposed(asked, bare);
-  ASSERT_EQ(made.composites.size(), 1u);
-  const CompositeModel& composite = made.composites[0].composite;
-  EXPECT_TRUE(composite.unnamed->filled);
-  EXPECT_TRUE(composite.named.empty());
-  // The formula with the part of q in the nominal term is what is hidden.
-  const LinearisedRecord& record = composite.explanation.fit.records[0];
-  const Variables variables = asked.nominal.variables();
-  const double more = composite.explanation.fit.model.coefficient(1, "q") + 4.0;
-  Vector sum = more * evaluate_on(record, variables, parse_expression("q"));
-  for (const FittedEffect& effect : composite.explanation.effects)
-    sum += effect.coefficient *
-           evaluate_on(record, variables, bind_form(effect.candidate, as_span(effect.shapes)));
-  const Vector hidden = evaluate_on(record, variables, parse_expression("1.5*sin(6*q)"));
-  EXPECT_LT((sum - hidden).squaredNorm(), 0.02 * hidden.squaredNorm());
 }
 
 TEST(ResidualFunction, ALineOfTheSpectrumIsPeriodic) {

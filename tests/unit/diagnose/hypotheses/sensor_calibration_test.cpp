@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
-#include <cmath>
-
 #include "diagnose/hypotheses/sensor_fault.hpp"
 #include "lacuna/effects/effect_family.hpp"
-#include "lacuna/effects/families.hpp"
 #include "support/asked.hpp"
 #include "support/assimilated_oscillator.hpp"
 
@@ -24,32 +21,6 @@ support::Asked with_sensor(Index state, Show show) {
 
 Proposals proposed(const support::Asked& asked) {
   return SensorCalibration().propose(asked.problem(), asked.bare());
-}
-
-void expect_fault(const support::Asked& asked, const std::string& name, Index state,
-                  double coefficient, double tolerance) {
-  const Proposals made = proposed(asked);
-  ASSERT_EQ(made.composites.size(), 1u) << name;
-  const CompositeModel& composite = made.composites[0].composite;
-  ASSERT_EQ(composite.named.size(), 1u);
-  EXPECT_EQ(composite.named[0].name, name);
-  EXPECT_EQ(composite.named[0].equation, state);
-  EXPECT_NEAR(composite.named[0].coefficient, coefficient, tolerance);
-  EXPECT_EQ(composite.base->fit_options.free.size(), 0u) << "the model is as given";
-  EXPECT_FALSE(leaves_structure(composite, asked.options.decision));
-}
-
-TEST(SensorCalibration, FindsGainOffsetAndDrift) {
-  expect_fault(with_sensor(1, [](double v, double) { return 1.05 * v; }), "sensor-gain", 1,
-               0.05, 0.005);
-  expect_fault(with_sensor(0, [](double q, double) { return q - 0.1; }), "sensor-offset", 0,
-               -0.1, 0.01);
-  expect_fault(with_sensor(1, [](double v, double t) { return v + 0.02 * t; }), "sensor-drift",
-               1, 0.02, 0.002);
-}
-
-TEST(SensorCalibration, WhatLeavesStructureIsNoSensor) {
-  EXPECT_TRUE(proposed(support::asked(support::ripple, 0.005)).composites.empty());
 }
 
 TEST(SensorCalibration, AConstantForceDoesAsWellAsAnOffset) {
@@ -146,19 +117,6 @@ TEST(SensorCalibration, AddsMoreThanSamplesAreRounded) {
   EXPECT_EQ(proposed(asked).composites.size(), 1u);
   asked.records.channels[0].noise.lattice = 0.36;  // by 0.104
   EXPECT_TRUE(proposed(asked).composites.empty());
-}
-
-TEST(SensorCalibration, TriesWhatEffectsSayOfChannels) {
-  support::Asked asked = with_sensor(1, [](double v, double) { return v; });
-  Matrix& states = asked.records.data.trajectories.front().states;
-  const Matrix before = states;
-  const Index n = states.rows() - 3;
-  states.col(0).tail(n) = before.col(0).head(n);  // the position comes three samples late
-  asked.options.effects = {FamilyEffect<kChannelSkew>()};
-  const Proposals made = proposed(asked);
-  ASSERT_EQ(made.composites.size(), 1u);
-  EXPECT_EQ(made.composites[0].composite.named[0].name, "channel-skew");
-  EXPECT_EQ(made.composites[0].composite.named[0].equation, 0);
 }
 
 }  // namespace

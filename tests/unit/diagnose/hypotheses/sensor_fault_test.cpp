@@ -55,25 +55,5 @@ TEST(SensorFault, DynamicsThatExplainMostTakeItsPlace) {
   EXPECT_TRUE(std::holds_alternative<ByRule>(made.composites[0].judged));
 }
 
-TEST(SensorFault, StaysWhereTheDynamicsDoNotExplainMost) {
-  support::Asked asked = friction();
-  asked.options.effects = {Skew()};
-  const Proposals made = SensorFault().propose(asked.problem(), with_fault(asked));
-  EXPECT_TRUE(made.composites.empty());
-  ASSERT_EQ(made.trail.size(), 1u);
-  EXPECT_FALSE(made.trail[0].taken);
-  EXPECT_EQ(made.trail[0].composite, "effects of the dynamics alone");
-}
-
-TEST(SensorFault, IsNotAskedForWithoutAFaultOrWithoutStructure) {
-  support::Asked asked = friction();
-  const Proposals without = SensorFault().propose(asked.problem(), asked.bare());
-  EXPECT_TRUE(without.composites.empty() && without.trail.empty());
-  const CompositeModel fault = with_fault(asked);
-  asked.options.decision.significance = 10.0;  // more than the 9 that are left
-  const Proposals explained = SensorFault().propose(asked.problem(), fault);
-  EXPECT_TRUE(explained.composites.empty() && explained.trail.empty());
-}
-
 }  // namespace
 }  // namespace lacuna

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 #include <string>
-#include <variant>
 
 #include "core/base/random.hpp"
 #include "diagnose/hypotheses/sensor_fault.hpp"
@@ -15,15 +13,6 @@
 namespace lacuna {
 namespace {
 
-/// F acts late.
-Candidate late_force_of_input() {
-  Candidate late = support::plain_candidate("delay(F,T)-F");
-  late.argument = parse_expression("F");
-  late.shapes = {{"T", "s", 0.01, 2.0, false}};
-  late.starts = {Vector::Constant(1, 0.1)};
-  return late;
-}
-
 /// A composite model that says an effect.
 CompositeModel that_says(const support::Asked& asked, const Candidate& candidate,
                          const std::string& name) {
@@ -33,40 +22,6 @@ CompositeModel that_says(const support::Asked& asked, const Candidate& candidate
                                 {{candidate, shapes, 1.0, 0.0}});
   best.named = {{.equation = 1, .name = name, .probability = 0.9}};
   return best;
-}
-
-/// v as means of its last samples.
-Dataset with_means_of_speed(Index window) {
-  Dataset data = support::hidden_record(support::nothing, 0.0);
-  Matrix& states = data.trajectories.front().states;
-  const Vector v = states.col(1);
-  Random random(5);
-  for (Index i = 0; i < v.size(); ++i) {
-    const Index count = std::min(window, i + 1);
-    states(i, 0) += 0.005 * random.normal();
-    states(i, 1) = v.segment(i - count + 1, count).mean() + 0.01 * random.normal();
-  }
-  return data;
-}
-
-TEST(SensorTiming, ASensorThatAveragesIsNoInputThatIsLate) {
-  const support::Asked asked{.records = observed(with_means_of_speed(11))};
-  const Proposals made =
-      SensorTiming().propose(asked.problem(), that_says(asked, late_force_of_input(), "delay"));
-  ASSERT_EQ(made.composites.size(), 1u);
-  EXPECT_TRUE(std::holds_alternative<ByRule>(made.composites[0].judged));
-  const CompositeModel& composite = made.composites[0].composite;
-  ASSERT_EQ(composite.named.size(), 1u);
-  EXPECT_EQ(composite.named[0].name, "sensor-lag");
-  EXPECT_EQ(composite.named[0].equation, 1);
-  EXPECT_EQ(composite.named[0].place, Place::Channel);
-  // Means of eleven samples are late by five steps of 0.02 s.
-  const FittedEffect& sensor = composite.explanation.effects.front();
-  const auto filters = static_cast<double>(sensor.candidate.memory.size());
-  EXPECT_NEAR(filters * sensor.coefficient * sensor.shapes[0], 0.1, 0.01);
-  EXPECT_TRUE(composite.twins.empty());
-  EXPECT_FALSE(leaves_structure(composite, asked.options.decision));
-  EXPECT_GT(composite.base->fit_options.free.size(), 0u) << "coefficients are fitted";
 }
 
 /// One channel of a linear system: its sensor and its only input that lag are one to it.

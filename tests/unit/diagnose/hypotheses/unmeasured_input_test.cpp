@@ -61,13 +61,6 @@ TEST(UnmeasuredInput, RecoversSizeAndMemory) {
   EXPECT_FALSE(leaves_structure(composite, asked.options.decision));
 }
 
-TEST(UnmeasuredInput, ThresholdsDecideWhetherItIsEvident) {
-  support::Asked asked = asked_with(gusts);
-  const CompositeModel bare = asked.bare();
-  asked.options.decision.undecided = 1e6;  // no evidence is enough
-  EXPECT_TRUE(UnmeasuredInput().propose(asked.problem(), bare).composites.empty());
-}
-
 TEST(UnmeasuredInput, TakesThePlaceOfAFunctionOfTimeThatLeavesStructure) {
   // A slow process looks like a line over one record, and shows most of its motion.
   const auto slow = [](double t, double q, double v) {

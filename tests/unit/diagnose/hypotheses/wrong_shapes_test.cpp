@@ -47,18 +47,6 @@ TEST(WrongShapes, AreThoseThatACurveOfTheirArgumentShowsToBeOthers) {
   EXPECT_LT(wrong->better.value, wrong->better.threshold - asked.options.decision.undecided);
 }
 
-TEST(WrongShapes, AreSeveralWhereOneFormulaDoesBetter) {
-  const support::Asked asked = support::asked(
-      [](double, double q, double) { return -6.0 * std::sin(3.0 * q); }, 0.002);
-  const CompositeModel composite =
-      named(asked, {plain_effect("q^3"), plain_effect("q^5"), plain_effect("q^7")});
-  ASSERT_FALSE(leaves_structure(composite, asked.options.decision));
-  const auto wrong = wrong_shapes(asked.problem(), composite);
-  ASSERT_TRUE(wrong) << "a series of a sine";
-  EXPECT_EQ(wrong->effects, (std::vector<std::size_t>{0, 1, 2}));
-  EXPECT_EQ(wrong->better.composite, "one formula of q in dv/dt");
-}
-
 TEST(WrongShapes, IsAPlainTermWhereALawLeavesNothing) {
   const support::Asked asked = support::asked(
       [](double, double q, double) { return -3.0 * std::sin(2.0 * q); }, 0.002);

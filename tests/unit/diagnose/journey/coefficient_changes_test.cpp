@@ -5,7 +5,6 @@
 
 #include <cmath>
 
-#include "lacuna/core/statistics/interval.hpp"
 #include "support/assimilated_oscillator.hpp"
 
 namespace lacuna {

@@ -21,19 +21,6 @@ Assimilation holding(const Baseline& base, const Vector& direction) {
   return fit;
 }
 
-TEST(Identifiability, AProductIsCalledSo) {
-  const support::Asked asked = support::asked(support::nothing);
-  const Baseline base = base_of(asked, {false, true});
-  const Vector product{{std::sqrt(0.5), 0.0, -std::sqrt(0.5)}};
-  const auto hints = identifiability_hints(asked.problem(), base, holding(base, product));
-  ASSERT_FALSE(hints.empty());
-  EXPECT_EQ(hints.front().kind, HintKind::NotIdentifiable);
-  EXPECT_NE(hints.front().message.find("only as their product"), std::string::npos)
-      << hints.front().message;
-  EXPECT_NE(hints.front().message.find("F in dv/dt"), std::string::npos);
-  EXPECT_EQ(hints.front().message.find("v in dv/dt,"), std::string::npos);
-}
-
 TEST(Identifiability, AUnitIsKept) {
   const support::Asked asked = support::asked(support::nothing);
   const Baseline base = base_of(asked, {false, true});
@@ -49,14 +36,6 @@ TEST(Identifiability, AUnitIsKept) {
     EXPECT_NE(hints.front().message.find("only as their product: " + kept), std::string::npos)
         << hints.front().message;
   }
-}
-
-TEST(Identifiability, ARowOfTheHeldDirectionsTells) {
-  Assimilation fit{support::oscillator()};
-  fit.held = Vector{{0.0, 0.9}};
-  EXPECT_FALSE(is_held(fit, 0));
-  EXPECT_TRUE(is_held(fit, 1));
-  EXPECT_FALSE(is_held(fit, 7)) << "what an effect has is not among them";
 }
 
 }  // namespace

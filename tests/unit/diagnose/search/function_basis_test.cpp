@@ -8,7 +8,6 @@
 #include <cmath>
 
 #include "diagnose/candidates/candidate_column.hpp"
-#include "lacuna/diagnose/criterion/extended_bic.hpp"
 #include "lacuna/trajectories/sensitivities/linearised_record.hpp"
 #include "support/asked.hpp"
 #include "support/assimilated_oscillator.hpp"

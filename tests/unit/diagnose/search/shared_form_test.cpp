@@ -89,11 +89,5 @@ TEST_F(SharedForm, DifferentFormsStayWhereTheRecordsTellThemApart) {
   EXPECT_FALSE(is_changed_);
 }
 
-TEST_F(SharedForm, AFormThatDoesBetterThanEachIsTakenWhateverTheDoubt) {
-  asked_.options.decision.undecided = 0.0;
-  EXPECT_EQ(agreed("+4*clip(d,-0.1,0.1)", "-3*clip(d,-0.1,0.1)", 0.01),
-            (std::vector<std::string>{"small", "small"}));
-}
-
 }  // namespace
 }  // namespace lacuna

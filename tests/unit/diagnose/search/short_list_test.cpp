@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <string>
-#include <vector>
 
 #include "cli/configuration/diagnosis_configuration.hpp"
 #include "lacuna/cli/configuration/registry.hpp"

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "lacuna/dynamics/integration/integrator.hpp"
 
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>

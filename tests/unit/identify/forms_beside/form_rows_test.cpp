@@ -5,7 +5,6 @@
 
 #include <Eigen/Dense>
 #include <cmath>
-#include <limits>
 
 #include "core/base/random.hpp"
 

@@ -7,7 +7,6 @@
 #include <set>
 
 #include "lacuna/cli/configuration/registry.hpp"
-#include "lacuna/dynamics/test_systems/measurement.hpp"
 #include "lacuna/dynamics/test_systems/test_systems.hpp"
 #include "support/noisy_records.hpp"
 

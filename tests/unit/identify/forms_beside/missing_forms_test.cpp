@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "identify/forms_beside/function_forms.hpp"
 #include "identify/forms_beside/product_forms.hpp"

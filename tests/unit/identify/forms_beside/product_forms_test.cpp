@@ -5,7 +5,6 @@
 
 #include <set>
 
-#include "lacuna/dynamics/test_systems/measurement.hpp"
 #include "lacuna/dynamics/test_systems/test_systems.hpp"
 #include "support/noisy_records.hpp"
 

@@ -3,10 +3,6 @@
 
 #include <gmock/gmock.h>
 
-#include <cmath>
-
-#include "core/base/text.hpp"
-#include "data/records/far_variables.hpp"
 #include "lacuna/bases/expressions.hpp"
 #include "lacuna/bases/monomials.hpp"
 #include "lacuna/identify/journey/identify_records.hpp"

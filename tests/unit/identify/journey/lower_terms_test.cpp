@@ -3,8 +3,6 @@
 
 #include <gmock/gmock.h>
 
-#include <chrono>
-
 #include "identify/journey/centred_library.hpp"
 #include "lacuna/bases/monomials.hpp"
 #include "lacuna/identify/pipeline/presets.hpp"

@@ -3,8 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-
 #include "lacuna/bases/monomials.hpp"
 #include "lacuna/core/base/error.hpp"
 #include "lacuna/identify/pipeline/presets.hpp"

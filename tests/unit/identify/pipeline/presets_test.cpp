@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "lacuna/identify/pipeline/presets.hpp"
 
-#include <chrono>
-
-#include "lacuna/bases/monomials.hpp"
 #include "lacuna/data/derivatives/finite_differences.hpp"
 #include "lacuna/dynamics/integration/synchroniser.hpp"
 #include "lacuna/regression/formulations/strong_form.hpp"

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "identify/validation/map_predictions.hpp"
 
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -7,8 +7,6 @@
 #include <algorithm>
 #include <random>
 
-#include "lacuna/core/base/error.hpp"
-
 namespace lacuna {
 namespace {
 

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/regression/linear/row_source.hpp"
-
 #include <gtest/gtest.h>
 
+#include <limits>
+
 #include "lacuna/core/base/error.hpp"
+#include "lacuna/regression/linear/row_source.hpp"
+#include "regression/linear/weighted_rows.hpp"
 
 namespace lacuna {
 namespace {
@@ -40,6 +42,21 @@ TEST(KeptInMemory, HoldsTheSameRows) {
 TEST(KeptInMemory, LeavesRowsThatTakeTooMuchToTheirSource) {
   const auto source = make_row_source(Matrix::Random(50, 3), Matrix::Random(50, 2));
   EXPECT_EQ(kept_in_memory(source, 50 * 5 * 8 - 1), source);
+}
+
+TEST(WeightedRows, RefuseWeightsThatAreNegativeOrNotFinite) {
+  const auto rows = make_row_source(Matrix::Ones(20, 1), Matrix::Ones(20, 1));
+  for (const double bad : {-1.0, std::numeric_limits<double>::infinity(),
+                           std::numeric_limits<double>::quiet_NaN()}) {
+    const auto weights = [bad](const Eigen::Ref<const Vector>&, Eigen::Ref<Vector> w) {
+      w.setOnes();
+      w[3] = bad;
+    };
+    const auto weighted = make_weighted_rows(*rows, {0, {0}, Vector::Ones(1)}, weights);
+    Matrix theta(8, 1);
+    Matrix target(8, 1);
+    EXPECT_THROW(weighted->open()->read(8, theta, target), ArgumentError);
+  }
 }
 
 }  // namespace

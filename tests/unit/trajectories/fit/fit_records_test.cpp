@@ -4,8 +4,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <cmath>
-
 #include "lacuna/core/base/error.hpp"
 #include "lacuna/data/records/marks.hpp"
 #include "support/grey_box.hpp"
@@ -56,26 +54,6 @@ TEST(FitRecords, SomethingHasToBeMeasured) {
   for (Index n = 0; n < view.samples(); ++n)
     for (const Index k : {0, 3}) set_mark(view.trajectories[0], n, k, Mark::Missing);
   EXPECT_THROW(fit_records(system.parametrised(), view), DataError);
-}
-
-TEST(BegunAt, PutsARowWithoutValuesBeforeTheFirstSample) {
-  const SystemModel system = parse_ode_system(kText, "m.ode");
-  const Dataset view = view_of(system.model());
-  const Trajectory& record = view.trajectories[0];
-  const Dataset begun = begun_at(view, -0.5);
-  const Trajectory& longer = begun.trajectories[0];
-  ASSERT_EQ(longer.samples(), record.samples() + 1);
-  EXPECT_EQ(longer.time[0], -0.5);
-  EXPECT_EQ(longer.time[1], record.time[0]);
-  EXPECT_EQ(longer.inputs(0, 0), record.inputs(0, 0)) << "held";
-  const FitRecords records = fit_records(system.parametrised(), begun);
-  EXPECT_EQ(records.valid.row(0).sum(), 0.0);
-  EXPECT_EQ(records.valid.bottomRows(record.samples()),
-            fit_records(system.parametrised(), view).valid);
-  EXPECT_EQ(begun_at(view, std::nullopt).trajectories[0].samples(), record.samples());
-  EXPECT_EQ(begun_at(view, record.time[0]).trajectories[0].samples(), record.samples());
-  EXPECT_THROW(begun_at(view, record.time[0] + 1.0), DataError);
-  EXPECT_THROW(begun_at(view, std::nan("")), DataError);
 }
 
 }  // namespace

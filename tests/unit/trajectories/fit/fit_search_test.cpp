@@ -3,8 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-
 #include "lacuna/trajectories/fit/fit.hpp"
 #include "support/grey_box.hpp"
 
@@ -49,17 +47,6 @@ Fit fitted(const std::string& text, std::uint64_t seed) {
   RunContext context;
   context.seed = seed;
   return fit(parse_ode_system(text, "m.ode"), sated_predators(seed), {}, {}, context);
-}
-
-// Prey that is eaten in spikes, where explicit steps find a minimum that shorter ones do not have.
-TEST(SearchFit, WhatLongStepsLedAwayEndsWithAFiniteRun) {
-  const Fit found = fitted(
-      "param a = 1.1 in 0.01..20\nparam b = 0.4 in 0.01..20\nparam c = 0.2 in 0.01..20\n"
-      "param d = 0.4 in 0.01..20\ndx/dt = a*x - b*x*z\ndz/dt = c*x*z - d*z\ny = x\nw = z\n",
-      42);
-  ASSERT_FALSE(found.quality.empty());
-  for (const FitQuality& quality : found.quality) EXPECT_TRUE(std::isfinite(quality.rmse));
-  EXPECT_EQ(found.adequacy.fits, Adequate::No);
 }
 
 // One step for each sample meets the noise elsewhere than the model does, from the true numbers,

@@ -3,8 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-
 #include "lacuna/model/equations/term.hpp"
 
 namespace lacuna {

@@ -9,10 +9,8 @@
 #include <cmath>
 
 #include "lacuna/bases/monomials.hpp"
-#include "lacuna/dynamics/test_systems/measurement.hpp"
 #include "support/noisy_records.hpp"
 #include "trajectories/shooting/shooting_fit.hpp"
-#include "trajectories/refiners/window_resolution.hpp"
 #include "trajectories/subset_selection/subset_search.hpp"
 
 namespace lacuna {

@@ -2,7 +2,6 @@
 // Transitions and responses of steps against a fine integration and against each other.
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <functional>
 
 #include "trajectories/sensitivities/record_steps.hpp"

@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "lacuna/core/base/error.hpp"
-#include "trajectories/shooting/refine.hpp"
 #include "unit/trajectories/shooting/records.hpp"
 
 namespace lacuna {

@@ -5,7 +5,6 @@
 
 #include <chrono>
 #include <cmath>
-#include <limits>
 
 #include "core/base/random.hpp"
 #include "lacuna/core/base/error.hpp"

@@ -6,8 +6,6 @@
 #include <Eigen/Dense>
 #include <cmath>
 
-#include "core/base/random.hpp"
-#include "trajectories/shooting/refine.hpp"
 #include "trajectories/shooting/residual_analysis.hpp"
 #include "unit/trajectories/shooting/dense_problem.hpp"
 

@@ -4,8 +4,6 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/LU>
-
 #include "support/joint_gaussian.hpp"
 
 namespace lacuna {

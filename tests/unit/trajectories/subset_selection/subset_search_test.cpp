@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "trajectories/subset_selection/subset_search.hpp"
 
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 // Bands beside those of linear regression, which are exact, and beside draws.
-#include "trajectories/fit/prediction/run_bands.hpp"
 
 #include <gtest/gtest.h>
 

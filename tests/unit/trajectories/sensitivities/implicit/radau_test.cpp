@@ -3,7 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include "lacuna/dynamics/integration/runge_kutta.hpp"
 #include "support/stiff_models.hpp"
 #include "unit/trajectories/sensitivities/swing.hpp"
 
