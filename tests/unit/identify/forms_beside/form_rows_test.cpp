@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: MIT
-#include "identify/forms_beside/form_rows.hpp"
-
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
+#include <Eigen/QR>
 #include <cmath>
+#include <limits>
 
 #include "core/base/random.hpp"
+#include "identify/forms_beside/base_columns.hpp"
+#include "identify/forms_beside/form_problem.hpp"
+#include "identify/forms_beside/form_rows.hpp"
 
 namespace lacuna {
 namespace {
@@ -66,6 +69,145 @@ TEST(FormRows, OfALongRecordKeepTheSamplesWithinTestFunctions) {
   EXPECT_LT((rows.values({y}).col(0) - rows.rate(0)).cwiseAbs().maxCoeff(), 0.02);
   EXPECT_LT((rows.columns({y}).col(0) - rows.target(0)).norm(), 1e-3 * rows.target(0).norm());
   EXPECT_EQ(rows.projected(rows.values({y})), rows.columns({y}));
+}
+
+Matrix noise(Index rows, Index columns, std::uint64_t seed) {
+  Random random(seed);
+  Matrix values(rows, columns);
+  for (double& value : values.reshaped()) value = random.normal();
+  return values;
+}
+
+Matrix joined(const Matrix& columns, const Matrix& more) {
+  Matrix all(columns.rows(), columns.cols() + more.cols());
+  all.leftCols(columns.cols()) = columns;
+  all.rightCols(more.cols()) = more;
+  return all;
+}
+
+TEST(BaseColumns, OneColumnMoreLeavesWhatLeastSquaresLeaves) {
+  const Matrix columns = noise(40, 5, 1);
+  const Vector target = noise(40, 1, 2), more = noise(40, 1, 3);
+  const BaseColumns base(columns, target);
+  EXPECT_NEAR(base.left(), residual_squares(columns, target), 1e-12);
+  EXPECT_NEAR(base.left_with(more), residual_squares(joined(columns, more), target), 1e-12);
+  EXPECT_NEAR(base.left_with(columns.col(2)), base.left(), 1e-12);
+  EXPECT_NEAR(BaseColumns(Matrix(40, 0), target).left_with(more),
+              residual_squares(more, target), 1e-12);
+}
+
+TEST(BaseColumns, TheRestIsWhatLeastSquaresLeavesOfEachRow) {
+  const Matrix columns = noise(40, 5, 21);
+  const Vector target = noise(40, 1, 22), more = noise(40, 1, 23);
+  const BaseColumns base(columns, target);
+  const Matrix all = joined(columns, more);
+  const Vector rest = target - all * all.householderQr().solve(target);
+  EXPECT_LT((base.rest_with(more) - rest).norm(), 1e-12);
+  EXPECT_NEAR(base.rest_with(columns.col(2)).squaredNorm(), base.left(), 1e-12);
+  const Vector broken = Vector::Constant(40, std::numeric_limits<double>::quiet_NaN());
+  EXPECT_FALSE(base.rest_with(broken).allFinite());
+}
+
+TEST(BaseColumns, APairLeavesWhatLeastSquaresLeavesAndHasItsCoefficients) {
+  const Matrix columns = noise(40, 5, 11);
+  const Vector first = noise(40, 1, 12), second = 30.0 * noise(40, 1, 13);
+  const Vector target = noise(40, 1, 14) + 2.0 * first - 0.5 * second;
+  const BaseColumns base(columns, target);
+  const BaseColumns::Pair pair = base.with_pair(first, second);
+  const Matrix all = joined(joined(columns, first), second);
+  EXPECT_NEAR(pair.left, residual_squares(all, target), 1e-11);
+  const Vector h = all.householderQr().solve(target);
+  EXPECT_NEAR(pair.first, h[5], 1e-11);
+  EXPECT_NEAR(pair.second, h[6], 1e-11);
+  EXPECT_NEAR(base.with_pair(columns.col(1), columns.col(2)).left, base.left(), 1e-11);
+}
+
+/// Without the column that is missed least beside another.
+Matrix without_least(const Matrix& columns, const Matrix& more, const Vector& target) {
+  double least = std::numeric_limits<double>::infinity();
+  Matrix best;
+  for (Index i = 0; i < columns.cols(); ++i) {
+    std::vector<Index> kept;
+    for (Index c = 0; c < columns.cols(); ++c)
+      if (c != i) kept.push_back(c);
+    const Matrix few = columns(Eigen::all, kept);
+    const double left = residual_squares(joined(few, more), target);
+    if (left < least) best = few;
+    least = std::min(least, left);
+  }
+  return best;
+}
+
+TEST(BaseColumns, WithoutSomeTheyGoOneByOneAsTheyAreMissed) {
+  const Matrix columns = noise(40, 5, 4), none(40, 0);
+  const Vector target = noise(40, 1, 5), more = noise(40, 1, 6);
+  const BaseColumns base(columns, target);
+  Matrix beside = columns, alone = columns;
+  for (Index gone = 0; gone <= 5; ++gone) {
+    EXPECT_NEAR(base.left_without(gone, more), residual_squares(joined(beside, more), target),
+                1e-10);
+    EXPECT_NEAR(base.left_without(gone), residual_squares(alone, target), 1e-10);
+    if (gone == 5) break;
+    beside = without_least(beside, more, target);
+    alone = without_least(alone, none, target);
+  }
+  EXPECT_TRUE(std::isinf(base.left_without(6)));
+  EXPECT_TRUE(std::isinf(base.left_without(1, columns.col(2)))) << "nothing new";
+}
+
+constexpr double kNoise = 0.01;
+
+/// x = 2 cos t, y = -2 sin t with noise: dx/dt = y, dy/dt = -x.
+Dataset noisy_circle(std::uint64_t seed) {
+  constexpr Index kSamples = 2001;
+  Dataset data;
+  data.states = {{"x", ""}, {"y", ""}};
+  Trajectory record;
+  record.time = Vector::LinSpaced(kSamples, 0.0, 40.0);
+  record.states.resize(kSamples, 2);
+  record.inputs.resize(kSamples, 0);
+  Random random(seed);
+  for (Index i = 0; i < kSamples; ++i) {
+    record.states(i, 0) = 2.0 * std::cos(record.time[i]) + kNoise * random.normal();
+    record.states(i, 1) = -2.0 * std::sin(record.time[i]) + kNoise * random.normal();
+  }
+  data.trajectories = {record};
+  return data;
+}
+
+EquationForms rate_of_x(const FormProblem& problem, const std::string& term) {
+  return {0, {Term(parse_expression(term), problem.all_rows().variables())}, {}};
+}
+
+TEST(NoiseResidual, IsWhatNoiseLeavesOfARightEquationOnAverage) {
+  constexpr int kRecords = 40;
+  const Vector noise = Vector::Constant(2, kNoise);
+  double sum = 0.0, squares = 0.0;
+  NoiseSquares expected;
+  for (int seed = 1; seed <= kRecords; ++seed) {
+    const FormProblem problem(noisy_circle(static_cast<std::uint64_t>(seed)), noise);
+    const double left = problem.left(rate_of_x(problem, "y"));
+    sum += left;
+    squares += left * left;
+    Matrix sensitivity = Matrix::Zero(problem.all_rows().samples(), 2);
+    sensitivity.col(1).setOnes();
+    expected = problem.all_rows().noise_squares(sensitivity, noise, 0);
+    EXPECT_GT(expected.mean, 1.02 * problem.residual_noise(0)) << "noise of y counts as well";
+  }
+  const double mean = sum / kRecords;
+  const double deviation = std::sqrt(squares / kRecords - mean * mean);
+  // Of a mean of 40, and of a deviation of 40.
+  EXPECT_NEAR(mean, expected.mean, 4.0 * expected.deviation / std::sqrt(1.0 * kRecords));
+  EXPECT_NEAR(deviation, expected.deviation, 0.45 * expected.deviation);
+}
+
+TEST(NoiseResidual, SaysWhereAFormWouldFitNoise) {
+  const FormProblem problem(noisy_circle(1), Vector::Constant(2, kNoise));
+  constexpr double kHalf = 0.5;
+  EXPECT_TRUE(problem.would_fit_noise(rate_of_x(problem, "y"), kHalf));
+  EXPECT_FALSE(problem.would_fit_noise(rate_of_x(problem, "y"), 1.5));
+  EXPECT_FALSE(problem.would_fit_noise(rate_of_x(problem, "y^3"), kHalf));
+  EXPECT_FALSE(problem.would_fit_noise({0, {}, {}}, kHalf));
 }
 
 }  // namespace
