@@ -10,7 +10,6 @@
 #include "lacuna/trajectories/fit/fit.hpp"
 #include "support/grey_box.hpp"
 #include "support/stiff_models.hpp"
-#include "trajectories/fit/fit_search.hpp"
 
 namespace lacuna {
 namespace {

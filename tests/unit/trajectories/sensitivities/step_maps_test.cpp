@@ -24,22 +24,6 @@ double rate_at(const Matrix& slots, Index row, const Vector& p) {
   return swing_rate(slots(row, 0), slots(row, 1), slots(row, 2), p);
 }
 
-TEST(Rates, OfABlockAreThoseOfItsPoints) {
-  Rates rates(swing());
-  rates.set(kParameters);
-  Matrix slots = points();
-  Matrix f(3, 2), expected(3, 2);
-  Program::Block block = rates.block(3);
-  rates.rate(slots, block, f);
-  rates.rate(slots, expected);
-  EXPECT_EQ(f, expected);
-  slots.col(0).array() += 0.25;
-  slots.col(2).array() -= 0.5;
-  rates.rate_changed(slots, Program::slot_set(0) | Program::slot_set(2), block, f);
-  rates.rate(slots, expected);
-  EXPECT_EQ(f, expected);
-}
-
 TEST(Rates, DerivativesAreThoseOfDifferences) {
   Rates rates(swing());
   rates.set(kParameters);

@@ -239,14 +239,5 @@ TEST(Refine, DivergenceIsAResult) {
   EXPECT_FALSE(result.fits_to_noise);
 }
 
-TEST(Refine, RejectsOptionsThatDoNotFit) {
-  const ParametrisedModel model = with_free_coefficients(test_system("rossler").model);
-  const Dataset record = noisy_record("rossler", 100, 0.02);
-  EXPECT_THROW(refine(model, record, {.huber = 0.0}), ArgumentError);
-  EXPECT_THROW(refine(model, record, {.sigma = Vector::Zero(3)}), ArgumentError);
-  EXPECT_THROW(refine(model, record, {.sigma = Vector::Ones(2)}), ArgumentError);
-  EXPECT_THROW(refine(model, record, {.states = Matrix::Zero(5, 3)}), ArgumentError);
-}
-
 }  // namespace
 }  // namespace lacuna

@@ -151,11 +151,6 @@ TEST(StateGuess, SmallDivisorsKeepTheQuotientBefore) {
   EXPECT_NEAR(states(79, 1), 0.5 * (1.0 / std::tan(1.58) - 1.0), 1e-3);
 }
 
-TEST(StateGuess, AStateThatNoEquationDefinesIsAnError) {
-  EXPECT_THROW(guessed(chain("v^2", "q"), sines(0.0), 0.0), DataError);
-  EXPECT_THROW(guessed(chain("q^2", "v"), sines(0.0), 0.0), DataError);
-}
-
 TEST(SmoothDerivative, IsExactForParabolasWithinEachRecord) {
   Dataset data = sines(0.0);
   const auto parabola = [](double t) { return 1.0 - 2.0 * t + 3.0 * t * t; };

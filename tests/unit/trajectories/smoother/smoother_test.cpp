@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
-#include <Eigen/Cholesky>
 #include <cmath>
 
 #include "lacuna/core/base/error.hpp"
@@ -16,15 +15,6 @@ namespace {
 using support::GaussianCase;
 using support::JointGaussian;
 
-// One step of the filter against the textbook's formulas in full matrices.
-/// Two states, both with coloured noise: N = 4.
-GaussianCase coloured_case() {
-  GaussianCase made = support::random_case(2, 12, 7);
-  made.noise.coloured[0] = ColouredNoise{0.2, 0.3};
-  made.noise.coloured[1] = ColouredNoise{0.4, 0.7};
-  return made;
-}
-
 TEST(DevianceSum, HoldsScalesOfAnySize) {
   DevianceSum sum;
   for (const double scale : {1e-300, 1e300, 1e-90, 1e-90, 1e90, 1e90, 1e90})
@@ -32,20 +22,6 @@ TEST(DevianceSum, HoldsScalesOfAnySize) {
   EXPECT_NEAR(sum.value(), 90.0 * std::log(10.0), 1e-9);
   sum.add({0.0, INFINITY, 0.5, 1.0});
   EXPECT_NEAR(sum.value(), 0.5 + 90.0 * std::log(10.0), 1e-9) << "a sample that says nothing";
-}
-
-TEST(Transition, TakesTheSkewPartOfTheCovarianceOutNowAndThen) {
-  const GaussianCase made = coloured_case();
-  const Shape<4, false> shape(4, 2);
-  const Transition<Shape<4, false>> transition(shape, ChannelMap(made.record, made.noise));
-  Random random(3);
-  const Matrix skew = support::random_matrix(random, 4, 4, 1.0);
-  Matrix p = skew;
-  transition.make_symmetric(8, p.data());
-  EXPECT_LT((p - 0.5 * (skew + skew.transpose())).norm(), 1e-15);
-  p = skew;
-  transition.make_symmetric(9, p.data());
-  EXPECT_EQ(p, skew);
 }
 
 constexpr double kNoise = 0.01;
@@ -76,39 +52,6 @@ TEST(InnovationFilter, DevianceIsThatOfTheFilter) {
               run_filter(made.record, measured, Matrix(), noise_of(0.1)).deviance, 1e-6);
   EXPECT_THROW(run_filter(made.record, Matrix::Zero(4, 2), Matrix(), noise_of(0.1)),
                ArgumentError);
-}
-
-/// log det S + r' S^-1 r of all measurements r, whose covariance S is written out.
-double joint_deviance(const LinearisedRecord& record, const Matrix& measured,
-                      const NoiseModel& noise) {
-  const Index n = record.samples();
-  const double step = record.time[1] - record.time[0];
-  const Vector span = record.path.colwise().maxCoeff() - record.path.colwise().minCoeff();
-  // What moves the deviations: both at the start, then the disturbance of v in each step.
-  Matrix from = Matrix::Zero(2 * n, 2 + n - 1);
-  from.topLeftCorner(2, 2) = span.asDiagonal();
-  Vector left(2 * n), shift = Vector::Zero(2);
-  for (Index i = 0; i < n; ++i) {
-    left.segment(2 * i, 2) = (measured.row(i) - record.path.row(i)).transpose() - shift;
-    if (i + 1 == n) break;
-    const Eigen::Map<const Matrix> phi(record.transition.col(i).data(), 2, 2);
-    from.middleRows(2 * i + 2, 2) = phi * from.middleRows(2 * i, 2);
-    const auto w = record.response.col(i).tail(6);
-    from.block(2 * i + 2, 2 + i, 2, 1) = noise.disturbance[1] / std::sqrt(step) *
-                                         (w.segment(0, 2) + w.segment(2, 2) + w.tail(2));
-    shift = phi * shift + record.defect.col(i);
-  }
-  Matrix covariance = from * from.transpose();
-  for (Index i = 0; i < 2 * n; ++i) {
-    covariance(i, i) += std::pow(*noise.measurement[static_cast<std::size_t>(i % 2)], 2);
-    for (Index j = 0; i % 2 == 0 && j < 2 * n; j += 2)
-      covariance(i, j) += std::pow(noise.coloured[0]->deviation, 2) *
-                          std::exp(-std::abs(record.time[i / 2] - record.time[j / 2]) /
-                                   noise.coloured[0]->time);
-  }
-  const Eigen::LLT<Matrix> factor(covariance);
-  return 2.0 * Matrix(factor.matrixL()).diagonal().array().log().sum() +
-         left.dot(factor.solve(left));
 }
 
 TEST(InnovationFilter, WhitensAsTheCholeskyFactorOfTheCovarianceDoes) {

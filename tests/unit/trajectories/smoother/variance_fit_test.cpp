@@ -3,7 +3,6 @@
 
 #include <cmath>
 
-#include "lacuna/core/base/error.hpp"
 #include "lacuna/data/records/marks.hpp"
 #include "support/driven_oscillator.hpp"
 #include "support/joint_gaussian.hpp"
@@ -80,18 +79,6 @@ TEST(ChannelResponse, IsWhatAnAdditionToTheMeasurementDoes) {
       EXPECT_LT((columns.col(c) - expected).norm(), 1e-9) << m << " states, column " << c;
     }
   }
-}
-
-TEST(ColumnResponse, RejectsWhatDoesNotFitTheRecord) {
-  const GaussianCase made = case_of(2);
-  const InnovationFilter filter = filtered(made, made.measured);
-  Matrix out(filter.channels * 20, 1), narrow(filter.channels * 20, 2);
-  EXPECT_THROW(column_response(made.record, filter, 0, Matrix::Zero(20, 1), out),
-               ArgumentError);
-  EXPECT_THROW(channel_response(made.record, filter, 0, Matrix::Zero(39, 1), out),
-               ArgumentError);
-  EXPECT_THROW(column_response(made.record, filter, 0, Matrix::Zero(39, 1), narrow),
-               ArgumentError);
 }
 
 struct VarianceCase {

@@ -145,15 +145,6 @@ TEST(SubsetSearch, ColumnsOnTheVergeOfDependenceComeToAnEnd) {
   EXPECT_LE(found.score, fit_subset(problem, {}).residual);
 }
 
-TEST(SubsetSearch, HonoursAStopRequest) {
-  std::stop_source source;
-  source.request_stop();
-  RunContext context;
-  context.stop = source.get_token();
-  const SubsetProblem problem = subset_problem(triangle_of(correlated_rows(1.0)));
-  EXPECT_THROW(best_subset(problem, 12.0, {}, Exchange::Pairs, context), Cancelled);
-}
-
 TEST(SubsetSearch, WithoutColumnsNoneIsChosen) {
   const SubsetProblem problem = subset_problem(Matrix::Constant(1, 1, 3.0));
   for (const Exchange exchange : {Exchange::Single, Exchange::Pairs}) {

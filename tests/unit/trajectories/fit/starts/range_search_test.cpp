@@ -13,7 +13,6 @@
 #include "lacuna/records/binding/model_view.hpp"
 #include "lacuna/trajectories/fit/fit.hpp"
 #include "support/grey_box.hpp"
-#include "trajectories/fit/starts/continuation.hpp"
 #include "trajectories/fit/starts/range_search.hpp"
 
 namespace lacuna {
