@@ -15,14 +15,14 @@ namespace lacuna {
 namespace {
 
 /// x = 2 cos t, y = -2 sin t: dx/dt = y, dy/dt = -x.
-Dataset circle(Index n, double noise) {
+Dataset circle(Index n, double noise, double length = 20.0, std::uint64_t seed = 1) {
   Dataset data;
   data.states = {{"x", ""}, {"y", ""}};
   Trajectory record;
-  record.time = Vector::LinSpaced(n, 0.0, 20.0);
+  record.time = Vector::LinSpaced(n, 0.0, length);
   record.states.resize(n, 2);
   record.inputs.resize(n, 0);
-  Random random(1);
+  Random random(seed);
   for (Index i = 0; i < n; ++i) {
     record.states(i, 0) = 2.0 * std::cos(record.time[i]) + noise * random.normal();
     record.states(i, 1) = -2.0 * std::sin(record.time[i]) + noise * random.normal();
@@ -157,23 +157,7 @@ TEST(BaseColumns, WithoutSomeTheyGoOneByOneAsTheyAreMissed) {
 
 constexpr double kNoise = 0.01;
 
-/// x = 2 cos t, y = -2 sin t with noise: dx/dt = y, dy/dt = -x.
-Dataset noisy_circle(std::uint64_t seed) {
-  constexpr Index kSamples = 2001;
-  Dataset data;
-  data.states = {{"x", ""}, {"y", ""}};
-  Trajectory record;
-  record.time = Vector::LinSpaced(kSamples, 0.0, 40.0);
-  record.states.resize(kSamples, 2);
-  record.inputs.resize(kSamples, 0);
-  Random random(seed);
-  for (Index i = 0; i < kSamples; ++i) {
-    record.states(i, 0) = 2.0 * std::cos(record.time[i]) + kNoise * random.normal();
-    record.states(i, 1) = -2.0 * std::sin(record.time[i]) + kNoise * random.normal();
-  }
-  data.trajectories = {record};
-  return data;
-}
+Dataset noisy_circle(std::uint64_t seed) { return circle(2001, kNoise, 40.0, seed); }
 
 EquationForms rate_of_x(const FormProblem& problem, const std::string& term) {
   return {0, {Term(parse_expression(term), problem.all_rows().variables())}, {}};

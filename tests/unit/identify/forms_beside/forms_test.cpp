@@ -105,12 +105,6 @@ TEST(FunctionForms, OfAmountsAloneTheSizeIsTheValueItself) {
       EXPECT_EQ(form.find(size), std::string::npos) << form;
 }
 
-Scope scope_with(double offset) {
-  Dataset data = noisy_record("van-der-pol", 400, 0.01, 1);
-  for (Trajectory& record : data.trajectories) record.states.array() += offset;
-  return make_scope(test_system("van-der-pol").model, data, Eigen::Vector2d(0.02, 0.02));
-}
-
 std::multiset<std::string> forms_of(const Scope& scope) {
   std::multiset<std::string> forms;
   for (const Candidate& candidate : product_forms(scope))
@@ -119,7 +113,7 @@ std::multiset<std::string> forms_of(const Scope& scope) {
 }
 
 TEST(ProductForms, HaveNoPoleWhereAVariableChangesSign) {
-  const auto forms = forms_of(scope_with(0.0));
+  const auto forms = forms_of(scope_of(0.0));
   EXPECT_EQ(forms.count("v/(1+q^2/a^2)"), 1u);
   EXPECT_EQ(forms.count("q*v/(a+q)"), 0u);
   EXPECT_EQ(forms.count("v/(1+q^3/a^3)"), 0u);

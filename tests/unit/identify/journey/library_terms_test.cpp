@@ -188,16 +188,10 @@ std::vector<std::string> names(const Pipeline& pipeline) {
   return pipeline.basis->library({{"w"}, {"u"}}).names();
 }
 
-Pipeline of_powers_to(int degree) {
-  Pipeline pipeline = algorithm1();
-  pipeline.basis = Monomials{{.max_degree = degree}};
-  return pipeline;
-}
-
 TEST(DistinctPowers, OfTwoValuesOnlyTheFirst) {
   std::vector<std::string> warnings;
   const Pipeline pipeline =
-      with_distinct_powers(of_powers_to(3), step_test({0.0, 1.0}, 100, 0.0, 1), warnings);
+      with_distinct_powers(of_degree(3), step_test({0.0, 1.0}, 100, 0.0, 1), warnings);
   EXPECT_THAT(names(pipeline), UnorderedElementsAre("1", "w", "u", "w^2", "w*u", "w^3", "w^2*u"));
   ASSERT_EQ(warnings.size(), 1u);
   EXPECT_THAT(warnings[0], HasSubstr("u takes 2 values"));
@@ -210,7 +204,7 @@ TEST(DistinctPowers, AUsersOwnLibraryStays) {
   own.basis = Expressions{{.terms = {"w", "u", "u^2", "sin(w)"}}};
   const Dataset data = step_test({0.0, 1.0}, 100, 0.0, 1);
   EXPECT_EQ(names(with_distinct_powers(own, data, warnings)).size(), 4u);
-  Pipeline constrained = of_powers_to(3);
+  Pipeline constrained = of_degree(3);
   constrained.constraints = {EquationConstraint{}};
   EXPECT_EQ(names(with_distinct_powers(constrained, data, warnings)).size(), 10u);
   EXPECT_THAT(warnings, IsEmpty());
@@ -249,7 +243,7 @@ TEST(StepTest, AMapKeepsItsInputs) {
   for (Index i = 1; i < record.samples(); ++i)
     record.states(i, 0) = 0.5 * record.states(i - 1, 0) + record.inputs(i - 1, 0);
   IdentificationTask task;
-  task.pipeline = of_powers_to(1);
+  task.pipeline = of_degree(1);
   task.pipeline.formulation = NextSample{};
   task.pipeline.refiner = NoRefiner{};
   const OdeModel model = identify_records(data, task).result.model;

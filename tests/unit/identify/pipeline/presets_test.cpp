@@ -14,13 +14,6 @@ namespace {
 
 using testing::rossler_record;
 
-TEST(Presets, AreFoundByName) {
-  ASSERT_FALSE(presets().empty());
-  for (const Preset& entry : presets())
-    EXPECT_EQ(preset(entry.name).regressor->info().name,
-              entry.make(Tolerances::Repaired).regressor->info().name);
-}
-
 TEST(Presets, UnknownNameSuggestsTheNearest) {
   testing::expect_error<ConfigError>([] { preset("algoritm1"); }, "preset", "algoritm1",
                                      "algorithm1");
@@ -83,18 +76,12 @@ double fraction_of(double error, double noise, bool seen, double motion) {
   return PredictionError{"x", error, noise, seen, motion, 100.0, 0.0}.fraction();
 }
 
-TEST(PredictionError, FractionIsBeyondTheNoise) {
+TEST(PredictionError, FractionIsBeyondTheNoiseThatIsSeen) {
   EXPECT_DOUBLE_EQ(fraction_of(5.0, 3.0, true, 5.0), 1.0);
   EXPECT_DOUBLE_EQ(fraction_of(5.0, 4.0, true, std::sqrt(16.0 + 144.0)), 3.0 / 12.0);
   EXPECT_DOUBLE_EQ(fraction_of(2.0, 3.0, true, 5.0), 0.0);
-}
-
-TEST(PredictionError, WhatDoesNotMoveIsComparedWithItsNoise) {
-  EXPECT_DOUBLE_EQ(fraction_of(5.0, 3.0, true, 3.0), 4.0 / 3.0);
-}
-
-TEST(PredictionError, NoiseThatIsNotSeenIsNotTakenOff) {
-  EXPECT_DOUBLE_EQ(fraction_of(2.0, 3.0, false, 4.0), 0.5);
+  EXPECT_DOUBLE_EQ(fraction_of(5.0, 3.0, true, 3.0), 4.0 / 3.0) << "nothing moves";
+  EXPECT_DOUBLE_EQ(fraction_of(2.0, 3.0, false, 4.0), 0.5) << "is not taken off";
 }
 
 }  // namespace
