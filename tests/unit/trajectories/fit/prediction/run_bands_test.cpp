@@ -11,6 +11,7 @@
 #include "lacuna/data/records/marks.hpp"
 #include "lacuna/dynamics/integration/simulate.hpp"
 #include "lacuna/model/files/ode_text.hpp"
+#include "lacuna/trajectories/fit/fit.hpp"
 #include "trajectories/fit/prediction/value_limits.hpp"
 
 namespace lacuna {
