@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "regression/linear/gram.hpp"
+#include "regression/linear/row_fold.hpp"
 #include "regression/linear/tile_kernels.hpp"
 #include "regression/linear/triangular.hpp"
 
@@ -78,6 +79,44 @@ Matrix unique_triangle(Matrix r) {
     if (r(i, i) < 0.0) r.row(i) *= -1.0;
   }
   return r;
+}
+
+Matrix whole_triangle(const Matrix& rows) {
+  const Matrix packed = rows.householderQr().matrixQR().topRows(rows.cols());
+  return unique_triangle(packed.triangularView<Eigen::Upper>());
+}
+
+TEST(RowFold, RowsThatComeInEveryWayMergeToTheTriangleOfAll) {
+  const Matrix all = Matrix::Random(700, 5);
+  for (const Folding folding : {Folding::Gram, Folding::Orthogonal}) {
+    RowFold fold(5, folding), other(5, folding);
+    fold.add(all.topRows(400).transpose());
+    for (Index i = 400; i < 500; ++i) {
+      double* row = fold.next_row();
+      for (Index j = 0; j < 5; ++j) row[j * fold.stride()] = all(i, j);
+    }
+    other.add_triangle(whole_triangle(all.bottomRows(200)));
+    fold.merge(other);
+    const auto triangle = fold.finish();
+    ASSERT_TRUE(triangle.has_value());
+    EXPECT_LT((unique_triangle(*triangle) - whole_triangle(all)).norm(), 1e-12 * all.norm());
+  }
+}
+
+TEST(RowFold, AGramThatCannotResolveTheColumnsSaysSo) {
+  Matrix all = Matrix::Random(500, 3);
+  all.col(1) = all.col(0) + 1e-7 * all.col(1);
+  RowFold gram(3, Folding::Gram);
+  gram.add(all.transpose());
+  EXPECT_FALSE(gram.finish().has_value());
+}
+
+TEST(FoldOrthogonal, IsTheTriangleOfTheWholeMatrix) {
+  for (const Index rows : {6, 1000, 70'001}) {
+    const Matrix all = Matrix::Random(rows, 6);
+    const Matrix r = fold_orthogonal(*make_row_source(all.leftCols(4), all.rightCols(2)));
+    EXPECT_LT((r - whole_triangle(all)).norm(), 1e-12 * all.norm()) << rows;
+  }
 }
 
 std::vector<InstructionSet> instruction_sets() {

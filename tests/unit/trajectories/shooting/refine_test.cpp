@@ -132,6 +132,15 @@ TEST(Refine, UnitsDoNotMatter) {
             1e-2);
 }
 
+/// Errors of a limit cycle do not grow: windows of a few periods know all that there is.
+TEST(Refine, WindowsOfAnOrderlyModelGrowUnlessTheyAreGiven) {
+  const ParametrisedModel model = with_free_coefficients(test_system("van-der-pol").model);
+  const Dataset record = noisy_record("van-der-pol", 600, 0.03);
+  EXPECT_LE(refine(model, record).windows.size(), 4u);
+  EXPECT_EQ(refine(model, record, {.window_samples = 30}).windows.size(), 20u);
+  EXPECT_THROW(refine(model, record, {.window_samples = 1}), ArgumentError);
+}
+
 TEST(Refine, StatesWithoutAColumnAreReconstructed) {
   const ParametrisedModel truth =
       with_free_coefficients(test_system("pendulum").model, {true, false});
