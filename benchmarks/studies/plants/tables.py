@@ -1,0 +1,146 @@
+# SPDX-License-Identifier: MIT
+"""Tables of the parts as files, and the page of all."""
+
+import csv
+import datetime
+import platform
+import statistics
+
+COLUMNS = {
+    "plants": (
+        "case",
+        "kept",
+        "shape",
+        "drive",
+        "dead time s",
+        "judged",
+        "verdict",
+        "free run %",
+        "expert %",
+        "over expert",
+        "seconds",
+        "answer",
+    ),
+    "swings": (
+        "case",
+        "kept",
+        "kind",
+        "steps",
+        "amplitude",
+        "stiffness",
+        "damping",
+        "judged",
+        "verdict",
+        "seconds",
+        "answer",
+    ),
+    "fits": (
+        "case",
+        "kept",
+        "kind",
+        "judged",
+        "largest error in sigma",
+        "seconds",
+        "truth",
+        "answer",
+        "verdict",
+    ),
+    "experts": ("case", "model", "free run %", "with the truth %", "numbers", "truth"),
+    "peers": ("case", "method", "judged", "free run %", "seconds", "answer"),
+}
+TITLES = {
+    "plants": "Plants: `identify`",
+    "swings": "Swings: `identify --embed th=2`",
+    "fits": "Models of known structure: `fit`",
+    "experts": "Experts",
+    "peers": "Other programs on the plants",
+}
+
+
+def write_table(folder, part, rows):
+    with open(folder / f"{part}.csv", "w", newline="") as file:
+        writer = csv.DictWriter(file, COLUMNS[part], restval="")
+        writer.writeheader()
+        writer.writerows({key: "" if v is None else v for key, v in row.items()} for row in rows)
+
+
+def read_table(folder, part):
+    path = folder / f"{part}.csv"
+    if not path.exists():
+        return []
+    with open(path, newline="") as file:
+        return list(csv.DictReader(file))
+
+
+def lines_of(header, rows):
+    lines = ["| " + " | ".join(header) + " |", "|" + " --- |" * len(header)]
+    return lines + [
+        "| " + " | ".join(str(cell).replace("|", "/") for cell in row) + " |" for row in rows
+    ]
+
+
+def median(values):
+    return f"{statistics.median(values):.3g}" if values else ""
+
+
+def number(text):
+    try:
+        return float(text)
+    except (TypeError, ValueError):
+        return float("inf")
+
+
+def summary(tables):
+    """Right answers of each part, those in use and those kept."""
+    header = ["part", "cases", "right", "fits to the noise, not right", "median s", "longest s"]
+    rows = []
+    for part in ("plants", "swings", "fits"):
+        for name, mark in ((f"{part} in use", ""), (f"{part} kept", "kept")):
+            chosen = [row for row in tables[part] if row["kept"] == mark]
+            if not chosen:
+                continue
+            right = [row for row in chosen if row["judged"] == "right"]
+            false = [r for r in chosen if r["verdict"] == "fits to noise" and r not in right]
+            seconds = [float(row["seconds"]) for row in chosen]
+            false = "" if part == "fits" else len(false)
+            cells = [name, len(chosen), len(right), false]
+            rows.append([*cells, median(seconds), f"{max(seconds):.3g}"])
+    return lines_of(header, rows)
+
+
+def compared(tables):
+    """Structure, free run and seconds of the plants by method."""
+    rows = []
+    lacuna = [row | {"method": "lacuna identify"} for row in tables["plants"]]
+    experts = {row["case"]: number(row["free run %"]) for row in tables["experts"]}
+    every = lacuna + tables["peers"]
+    for method in dict.fromkeys(row["method"] for row in every):
+        chosen = [row for row in every if row["method"] == method]
+        ratios = [number(row["free run %"]) / experts[row["case"]] for row in chosen]
+        seconds = [number(row["seconds"]) for row in chosen]
+        cells = [method, len(chosen), sum(row["judged"] == "right" for row in chosen)]
+        cells += [median([number(row["free run %"]) for row in chosen]), median(ratios)]
+        cells += [sum(ratio < 2 for ratio in ratios), median(seconds)]
+        rows.append(cells)
+    header = ["method", "plants", "right", "median free run %", "median over the expert's"]
+    return lines_of([*header, "below twice the expert's", "median s"], rows)
+
+
+def write_page(folder, numpy):
+    tables = {part: read_table(folder, part) for part in COLUMNS}
+    lines = ["# Plants, swings and fits", "", *summary(tables), ""]
+    if tables["plants"] and tables["experts"]:
+        lines += ["## Free runs of the plants", "", *compared(tables), ""]
+    for part, columns in COLUMNS.items():
+        if not tables[part]:
+            continue
+        lines += [f"## {TITLES[part]}", ""]
+        rows = ([row.get(column, "") for column in columns] for row in tables[part])
+        lines += [*lines_of(columns, rows), ""]
+    day = datetime.date.today().isoformat()
+    lines.append(
+        f"Seconds of one thread, {platform.machine()}, {platform.system()}, Python "
+        f"{platform.python_version()}, NumPy {numpy}, {day}. Command: "
+        "`python3 benchmarks/studies/plants/run.py PROGRAM FOLDER`"
+    )
+    (folder / "plants.md").write_text("\n".join(lines) + "\n")
