@@ -129,9 +129,7 @@ def fit(box, record, seed):
             return slopes.reshape(-1, len(z))
 
         bounds = (low, np.inf)
-        return least_squares(
-            residuals, theta, jacobian, bounds=bounds, x_scale=scale, max_nfev=40
-        )
+        return least_squares(residuals, theta, jacobian, bounds=bounds, x_scale=scale, max_nfev=40)
 
     ends = []
     for schedule in SCHEDULES:

@@ -4,11 +4,11 @@
     PYTHON peers.py FOLDER CASE...
 
 reads FOLDER/CASE/{a.csv,b.csv,case.json} as run.py writes them and prints one line of JSON for
-each case and method. Both are given the order of derivatives. Rates come from smoothed
+each case and method. PySINDy is given the order of derivatives: rates come from smoothed
 differences, second-order plants are states stacked from a channel and its smoothed derivative, an
-ensemble votes; degree, threshold and smoothing are those with the fewest terms within 10 % of the best free
-run over the last quarter. "late" shifts the input by the dead time in whole samples that a
-cross-correlation shows.
+ensemble votes; degree, threshold and smoothing are those with the fewest terms within 10 % of the
+best free run over the last quarter. "late" shifts the input by the dead time in whole samples that
+a cross-correlation shows. The transfer function has the order with the least AIC.
 """
 
 import itertools
@@ -24,7 +24,7 @@ from scipy.signal import savgol_filter
 
 from transfer import best_transfer, free_transfer, lag_of
 
-THRESHOLDS = (0.003, 0.01, 0.03, 0.1, 0.3)  # of columns with a norm of 1, relative
+THRESHOLDS = (0.01, 0.03, 0.1, 0.3)  # of columns with a norm of 1, relative
 WINDOWS = (11, 31)  # samples
 DEGREES = (1, 2, 3)
 
@@ -168,7 +168,7 @@ def main():
     warnings.simplefilter("ignore")
     methods = {
         "PySINDy": lambda known, at: sindy_row(known, at, 0, False),
-        "PySINDy, ensemble, late input": lambda known, at: sindy_row(known, at, 20, True),
+        "PySINDy, ensemble, late input": lambda known, at: sindy_row(known, at, 10, True),
         "transfer function": transfer_row,
     }
     for name in sys.argv[2:]:

@@ -5,7 +5,7 @@
     python3 benchmarks/studies/plants/run.py PROGRAM FOLDER [PART...] [--case NAME...]
         [--python PYTHON]
 
-PART: experts, plants, swings, fits (all without one), or peers. Writes records and answers to
+PART: experts, plants, swings, fits (all without one), peers, or page. Writes records and answers to
 FOLDER/cases, and a table of each part to FOLDER (.csv) and of all to FOLDER/plants.md. `peers`
 needs a PYTHON that has PySINDy. The program's own parts need NumPy, experts SciPy too.
 """
@@ -32,7 +32,7 @@ from grading import (
 )
 from plants import CASES, plant_of, record_of
 from swings import SWINGS, swing_record, terms_of as terms_of_swing
-from tables import read_table, write_page, write_table
+from tables import compare_with_experts, read_table, write_page, write_table
 
 LONGEST = 20  # s that a fit may take
 
@@ -59,7 +59,7 @@ def write_plant(folder, plant):
     return records
 
 
-def plant_row(case, program, folder, experts):
+def plant_row(case, program, folder):
     plant = plant_of(case)
     records = write_plant(folder, plant)
     shape = plant.shape
@@ -68,21 +68,18 @@ def plant_row(case, program, folder, experts):
     late = ", ".join(f"{name} {value:g}" for name, value in plant.delays.items())
     row = {"case": case.name, "kept": "kept" if case.kept else "", "shape": case.shape}
     row |= {"drive": " ".join(filter(None, (case.drive, case.disturbed))), "dead time s": late}
-    row |= {"seconds": f"{seconds:.1f}", "expert %": experts.get(case.name, {}).get("free run %")}
+    row |= {"seconds": f"{seconds:.1f}"}
     if answer is None:
         return row | {"judged": "no answer", "answer": error_line(text)}
     error = free_run_error(
         program, folder, records[1], shape.states, [s["name"] for s in answer["model"]["states"]]
     )
-    row |= {
+    return row | {
         "judged": judged(plant, terms_of(answer["model"], shape.chain)),
         "verdict": (answer.get("validation") or {}).get("verdict", ""),
         "free run %": "leaves" if error is None else text_of(100 * error),
         "answer": plain_numbers(equations_in(text)),
     }
-    if error is not None and row["expert %"]:
-        row["over expert"] = text_of(100 * error / float(row["expert %"]))
-    return row
 
 
 def expert_row(case, folder):
@@ -185,6 +182,14 @@ def shown(rows, names):
     return found
 
 
+def merged(before, rows, names):
+    """All rows of a part; those of cases that were not asked for stay as they were."""
+    if not names:
+        return rows
+    kept = [row for row in before if row["case"] not in names]
+    return kept + rows
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
     parser.add_argument("program")
@@ -197,22 +202,22 @@ def main():
     parts = asked.parts or ["experts", "plants", "swings", "fits"]
     lists = {"plants": CASES, "swings": SWINGS, "fits": TASKS, "experts": CASES, "peers": CASES}
     folder.mkdir(parents=True, exist_ok=True)
-    names = ("case", "judged", "verdict", "free run %", "expert %", "seconds", "answer")
-    for part in parts:
+    names = ("case", "judged", "verdict", "free run %", "seconds", "answer")
+    for part in (part for part in parts if part != "page"):
         chosen = [case for case in lists[part] if not asked.case or case.name in asked.case]
         at = folder / "cases"
         if part == "experts":
             rows = shown((expert_row(c, folder) for c in chosen), ("case", "free run %", "numbers"))
         elif part == "plants":
-            experts = {row["case"]: row for row in read_table(folder, "experts")}
-            rows = shown((plant_row(c, program, at / c.name, experts) for c in chosen), names)
+            rows = shown((plant_row(c, program, at / c.name) for c in chosen), names)
         elif part == "swings":
             rows = shown((swing_row(c, program, at / c.name) for c in chosen), names)
         elif part == "fits":
             rows = shown((fit_row(c, program, at / c.name) for c in chosen), names)
         else:
             rows = peer_rows(asked.python, folder, chosen)
-        write_table(folder, part, rows)
+        write_table(folder, part, merged(read_table(folder, part), rows, asked.case))
+    compare_with_experts(folder)
     write_page(folder, np.__version__)
 
 

@@ -3,6 +3,8 @@
 
 import csv
 import datetime
+import os
+import pathlib
 import platform
 import statistics
 
@@ -72,6 +74,18 @@ def read_table(folder, part):
         return list(csv.DictReader(file))
 
 
+def compare_with_experts(folder):
+    """Writes what experts reach beside the plants."""
+    experts = {row["case"]: row["free run %"] for row in read_table(folder, "experts")}
+    rows = read_table(folder, "plants")
+    for row in rows:
+        row["expert %"] = experts.get(row["case"], "")
+        ratio = number(row["free run %"]) / (number(row["expert %"]) or float("inf"))
+        row["over expert"] = f"{ratio:.3g}" if 0 < ratio < float("inf") else ""
+    if rows:
+        write_table(folder, "plants", rows)
+
+
 def lines_of(header, rows):
     lines = ["| " + " | ".join(header) + " |", "|" + " --- |" * len(header)]
     return lines + [
@@ -116,7 +130,7 @@ def compared(tables):
     every = lacuna + tables["peers"]
     for method in dict.fromkeys(row["method"] for row in every):
         chosen = [row for row in every if row["method"] == method]
-        ratios = [number(row["free run %"]) / experts[row["case"]] for row in chosen]
+        ratios = [number(row["free run %"]) / experts[row["case"]] for row in chosen if experts]
         seconds = [number(row["seconds"]) for row in chosen]
         cells = [method, len(chosen), sum(row["judged"] == "right" for row in chosen)]
         cells += [median([number(row["free run %"]) for row in chosen]), median(ratios)]
@@ -124,6 +138,14 @@ def compared(tables):
         rows.append(cells)
     header = ["method", "plants", "right", "median free run %", "median over the expert's"]
     return lines_of([*header, "below twice the expert's", "median s"], rows)
+
+
+def machine():
+    """The processor and the number of its cores."""
+    path = pathlib.Path("/proc/cpuinfo")
+    lines = path.read_text().splitlines() if path.exists() else []
+    models = [line.split(":")[1].strip() for line in lines if line.startswith("model name")]
+    return f"{(models or [platform.machine()])[0]}, {os.cpu_count()} cores"
 
 
 def write_page(folder, numpy):
@@ -139,8 +161,8 @@ def write_page(folder, numpy):
         lines += [*lines_of(columns, rows), ""]
     day = datetime.date.today().isoformat()
     lines.append(
-        f"Seconds of one thread, {platform.machine()}, {platform.system()}, Python "
-        f"{platform.python_version()}, NumPy {numpy}, {day}. Command: "
+        f"Seconds of one thread; {machine()}, Python {platform.python_version()}, "
+        f"NumPy {numpy}, {day}. Command: "
         "`python3 benchmarks/studies/plants/run.py PROGRAM FOLDER`"
     )
     (folder / "plants.md").write_text("\n".join(lines) + "\n")
