@@ -107,11 +107,12 @@ def judged(plant, terms):
     return " and ".join(dict.fromkeys(faults)) or "right"
 
 
-def free_run_error(program, folder, record, states, model_states):
+def free_run_error(program, folder, record, states):
     """The error of the program's model on the held-out record, over the motion; None: no run."""
-    start = ",".join(f"{record.start[name]:.9g}" for name in model_states)
+    start = ",".join(f"{record.start[name]:.9g}" for name in states)
     command = [program, "simulate", "answer.ode", f"--x0={start}", "--input-data", "b.csv"]
-    text, _, _ = called([*command, "-o", "free.csv"], folder)
+    (folder / "free.csv").unlink(missing_ok=True)
+    called([*command, "-o", "free.csv"], folder)
     try:
         with open(folder / "free.csv") as file:
             rows = list(csv.reader(file))

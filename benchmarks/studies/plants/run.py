@@ -71,9 +71,8 @@ def plant_row(case, program, folder):
     row |= {"seconds": f"{seconds:.1f}"}
     if answer is None:
         return row | {"judged": "no answer", "answer": error_line(text)}
-    error = free_run_error(
-        program, folder, records[1], shape.states, [s["name"] for s in answer["model"]["states"]]
-    )
+    states = [state["name"] for state in answer["model"]["states"]]
+    error = free_run_error(program, folder, records[1], states)
     return row | {
         "judged": judged(plant, terms_of(answer["model"], shape.chain)),
         "verdict": (answer.get("validation") or {}).get("verdict", ""),
@@ -82,7 +81,7 @@ def plant_row(case, program, folder):
     }
 
 
-def expert_row(case, folder):
+def expert_row(case):
     from expert import box_of, error_of, fit
     from grey_boxes import GREY_BOXES
 
@@ -173,8 +172,9 @@ def peer_rows(python, folder, chosen):
     return rows
 
 
-def shown(rows, names):
+def shown(rows):
     """Rows of a part, each printed as it comes."""
+    names = ("case", "judged", "verdict", "free run %", "seconds", "numbers", "answer")
     found = []
     for row in rows:
         found.append(row)
@@ -182,12 +182,11 @@ def shown(rows, names):
     return found
 
 
-def merged(before, rows, names):
-    """All rows of a part; those of cases that were not asked for stay as they were."""
-    if not names:
-        return rows
-    kept = [row for row in before if row["case"] not in names]
-    return kept + rows
+def merged(before, rows, order):
+    """All rows of a part in the order of its list; those that were not made again stay."""
+    again = {row["case"] for row in rows}
+    kept = [row for row in before if row["case"] not in again]
+    return sorted(kept + rows, key=lambda row: order.index(row["case"]))
 
 
 def main():
@@ -202,21 +201,21 @@ def main():
     parts = asked.parts or ["experts", "plants", "swings", "fits"]
     lists = {"plants": CASES, "swings": SWINGS, "fits": TASKS, "experts": CASES, "peers": CASES}
     folder.mkdir(parents=True, exist_ok=True)
-    names = ("case", "judged", "verdict", "free run %", "seconds", "answer")
+    at = folder / "cases"
+    rows_of = {
+        "experts": expert_row,
+        "plants": lambda case: plant_row(case, program, at / case.name),
+        "swings": lambda case: swing_row(case, program, at / case.name),
+        "fits": lambda case: fit_row(case, program, at / case.name),
+    }
     for part in (part for part in parts if part != "page"):
         chosen = [case for case in lists[part] if not asked.case or case.name in asked.case]
-        at = folder / "cases"
-        if part == "experts":
-            rows = shown((expert_row(c, folder) for c in chosen), ("case", "free run %", "numbers"))
-        elif part == "plants":
-            rows = shown((plant_row(c, program, at / c.name) for c in chosen), names)
-        elif part == "swings":
-            rows = shown((swing_row(c, program, at / c.name) for c in chosen), names)
-        elif part == "fits":
-            rows = shown((fit_row(c, program, at / c.name) for c in chosen), names)
-        else:
+        if part == "peers":
             rows = peer_rows(asked.python, folder, chosen)
-        write_table(folder, part, merged(read_table(folder, part), rows, asked.case))
+        else:
+            rows = shown(map(rows_of[part], chosen))
+        order = [case.name for case in lists[part]]
+        write_table(folder, part, merged(read_table(folder, part), rows, order))
     compare_with_experts(folder)
     write_page(folder, np.__version__)
 
