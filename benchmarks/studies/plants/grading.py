@@ -10,7 +10,7 @@ import subprocess
 
 import numpy as np
 
-DELAY = re.compile(r"delay\((\w+),\s*([0-9.eE+-]+)\)")
+DELAY = re.compile(r"delay\((\w+),\s*([^(),]+)\)")
 LIMIT = 240  # s for one call
 
 
@@ -61,9 +61,14 @@ def identify(program, folder, embed, inputs):
 
 
 def terms_of(model, chain=()):
-    """The terms of each equation that is not a chain's, as the program spells them."""
+    """The terms of each equation that is not a chain's; dead times with a name as numbers."""
+    values = {entry["name"]: entry["value"] for entry in model.get("parameters", ())}
+
+    def in_numbers(found):
+        return f"delay({found[1]},{values.get(found[2].strip(), found[2])})"
+
     return {
-        equation["state"]: [term["term"] for term in equation["terms"]]
+        equation["state"]: [DELAY.sub(in_numbers, term["term"]) for term in equation["terms"]]
         for equation in model["equations"]
         if equation["state"] not in chain
     }

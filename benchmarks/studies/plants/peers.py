@@ -123,7 +123,7 @@ def sindy_row(known, folder, members, late):
     start = [known["start"][name] for name in names]
     run = free_run(powers, coefficients, start, shifted(second_inputs, lags), step)
     error = error_between(run[:, : columns.shape[1]], second)
-    every, texts, right = names + known["inputs"], [], True
+    every, texts, right = names + known["inputs"], [], not known["asymmetric"]
     for state, row in zip(names, coefficients):
         if order > 1 and state != names[-1]:
             continue  # a derivative's name
@@ -155,6 +155,7 @@ def transfer_row(known, folder):
     error = error_between(np.column_stack(runs), second)
     names = {*known["start"], *known["inputs"], "1"}
     is_linear = all(term in names for terms in known["equations"].values() for term in terms)
+    is_linear &= not known["asymmetric"]
     orders = [len(model.a) for model in models]
     faults = [] if is_linear and orders == [known["order"]] else ["terms"]
     pairs = zip(known["inputs"], lags)

@@ -53,6 +53,7 @@ def write_plant(folder, plant):
         "order": plant.shape.order,
         "equations": plant.shape.equations,
         "delays": plant.delays,
+        "asymmetric": plant.asymmetry > 0,
         "start": {name: float(value) for name, value in records[1].start.items()},
     }
     (folder / "case.json").write_text(json.dumps(known, indent=1) + "\n")
