@@ -6,7 +6,9 @@
         [--python PYTHON]
 
 PART: experts, plants, swings, fits (all without one), peers, or page. Writes records and answers to
-FOLDER/cases, and a table of each part to FOLDER (.csv) and of all to FOLDER/plants.md. `peers`
+FOLDER/cases, and a table of each part to FOLDER (.csv) and of all to FOLDER/plants.md. Tables of
+parts that are not run stay as they are: with results/*.csv in FOLDER, `page` alone makes the page,
+and `plants` compares with the experts and peers that are committed. `peers`
 needs a PYTHON that has PySINDy. The program's own parts need NumPy, experts SciPy too.
 """
 
