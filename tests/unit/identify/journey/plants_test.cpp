@@ -177,5 +177,30 @@ TEST(Plants, AtASingleStepTheLinearLawIsTaken) {
   EXPECT_THAT(result.warnings, ::testing::Contains(HasSubstr("cannot be distinguished from")));
 }
 
+/// A -> B -> C at 0.5 and 0.2 per minute from 9, in closed form.
+TEST(Plants, FewSamplesGetASmallLibrary) {
+  constexpr Index kSamples = 16;
+  Random random(3);
+  Trajectory record;
+  record.time = Vector::LinSpaced(kSamples, 0.0, 15.0);
+  record.states.resize(kSamples, 3);
+  record.inputs.resize(kSamples, 0);
+  for (Index i = 0; i < kSamples; ++i) {
+    const double t = record.time[i], a = 9.0 * std::exp(-0.5 * t);
+    const double b = 9.0 * 0.5 / 0.3 * (std::exp(-0.2 * t) - std::exp(-0.5 * t));
+    record.states.row(i) << a, b, 9.0 - a - b;
+  }
+  for (double& value : record.states.reshaped()) value += 0.01 * random.normal();
+  Dataset data;
+  data.states = {{"A", ""}, {"B", ""}, {"C", ""}};
+  data.trajectories = {record};
+  const IdentificationResult result = identify_records(data).result;
+  EXPECT_THAT(terms_of(result.model, 0), UnorderedElementsAre("A"));
+  EXPECT_THAT(terms_of(result.model, 1), UnorderedElementsAre("A", "B"));
+  EXPECT_THAT(terms_of(result.model, 2), UnorderedElementsAre("B"));
+  EXPECT_THAT(result.warnings,
+              ::testing::Contains(HasSubstr("16 samples do not determine 20 candidate terms")));
+}
+
 }  // namespace
 }  // namespace lacuna
