@@ -63,7 +63,9 @@ SystemModel with_free_times(const OdeModel& model, const Vector& times, const Gi
 /// The equations of a result with the coefficients that other records give them.
 void move_to(const Dataset& data, const Pipeline& pipeline, IdentificationResult& result,
              const RunContext& context) {
-  auto moved = refitted_result_on(data, result.model, pipeline, context);
+  Pipeline from_there = pipeline;
+  from_there.start = result.model;
+  auto moved = refitted_result_on(data, result.model, from_there, context);
   if (!moved) return;
   result.model = std::move(moved->model);
   result.fit = std::move(moved->fit);

@@ -263,14 +263,20 @@ IdentificationTask with_held_out_delayed(IdentificationTask task, const Vector& 
   return task;
 }
 
-/// Whether equations may be plainer: they do not predict, or one of them has more terms than
-/// its affine law.
+/// Whether equations may be plainer: they do not predict, or one of them has as many terms as
+/// its affine law and is another one.
 bool may_be_plainer(const Validation& validation, const IdentificationResult& result) {
   if (validation.verdict != ValidationVerdict::FitsToNoise) return true;
   const OdeModel& model = result.model;
   const std::size_t affine = 1 + model.states().size() + model.inputs().size();
+  const auto is_affine = [](const WeightedTerm& summand) {
+    return summand.term.name() == "1" || summand.term.variable().has_value();
+  };
   return std::any_of(model.equations().begin(), model.equations().end(),
-                     [&](const Equation& equation) { return equation.size() > affine; });
+                     [&](const Equation& equation) {
+                       return equation.size() >= affine &&
+                              !std::all_of(equation.begin(), equation.end(), is_affine);
+                     });
 }
 
 /// A plain structure in the place of equations that do not predict, where its free runs are

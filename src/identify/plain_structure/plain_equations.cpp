@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/base/text.hpp"
+#include "core/statistics/information.hpp"
 #include "identify/dead_time/delayed_inputs.hpp"
 #include "identify/dead_time/screened_dead_times.hpp"
 #include "identify/pipeline/equation_terms.hpp"
@@ -22,15 +23,17 @@ Vector screened(const Dataset& data, const Pipeline& pipeline, const DeadTimeOpt
   return screened_dead_times(data, pipeline, options, given, context);
 }
 
-/// The coefficients of a structure with intervals that hold where residuals are not white.
-OdeModel with_intervals(const OdeModel& model, const Dataset& data, const RunContext& context) {
+/// A model with intervals that hold where residuals are not white, where that fit ends as well.
+OdeModel with_intervals(const OdeModel& model, const FreeRun& run, const Dataset& data,
+                        const RunContext& context) {
   try {
-    return fit(SystemModel(model), data, {},
-               {.restarts = 0, .starts = 0, .effort = Thoroughness::Quick}, context)
-        .model.symbolic();
+    const Fit whole = fit(SystemModel(model), data, {},
+                          {.restarts = 0, .starts = 0, .effort = Thoroughness::Quick}, context);
+    const double more = -2.0 * whole.log_likelihood - run.deviance;
+    if (more <= parameter_penalty(run.samples)) return whole.model.symbolic();
   } catch (const DataError&) {
-    return model;
   }
+  return model;
 }
 
 /// The model with numbers for widths, to three digits.
@@ -59,8 +62,8 @@ std::optional<LateEquations> plain_equations(const Dataset& data, const Pipeline
   const Vector own = found.times.size() > 0 ? found.times : Vector::Zero(times.size());
   const double without = largest(times) + 2.0 * median_step(data);  // what refining may add
   const TermLibrary library = pipeline.basis->library(variables_of(data));
-  const auto plain =
-      plain_structure(with_inputs_delayed(data, times, without), library, found.least, context);
+  const auto plain = plain_structure(with_inputs_delayed(data, times, without), library,
+                                     found.result.model, found.least, context);
   if (!plain) return std::nullopt;
   LateEquations result{times, found.result.dead_times, found.result};
   if (found.times.size() == 0 && largest(times) > 0.0) {
@@ -68,17 +71,19 @@ std::optional<LateEquations> plain_equations(const Dataset& data, const Pipeline
     result.times = times_of(data, result.found);
   }
   const Dataset acting = with_inputs_delayed(data, result.times, without);
-  FreeRun run = free_run(plain->system, acting, context);
+  FreeRun run = free_run(plain->system, in_stretches(acting), context);
   FreeRun before = free_run(SystemModel(found.result.model),
                             with_inputs_delayed(data, own, without), context);
   run.numbers += result.found.size();
   before.numbers += found.result.dead_times.size();
   if (!is_better(run, before, found.least)) return std::nullopt;
   const OdeModel model = with_readable_widths(run);
-  auto refitted = refitted_result_on(acting, model, pipeline, context);
+  Pipeline from_there = pipeline;
+  from_there.start = model;
+  auto refitted = refitted_result_on(acting, model, from_there, context);
   if (!refitted) return std::nullopt;
   result.result = *std::move(refitted);
-  result.result.model = with_intervals(model, acting, context);
+  result.result.model = with_intervals(model, run, in_stretches(acting), context);
   return result;
 }
 

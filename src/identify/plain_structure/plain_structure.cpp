@@ -10,6 +10,7 @@
 #include "core/numerics/qr.hpp"
 #include "identify/free_runs/averaged_records.hpp"
 #include "identify/pipeline/equation_terms.hpp"
+#include "trajectories/windows/window_gap.hpp"
 
 namespace lacuna {
 namespace {
@@ -87,6 +88,13 @@ std::vector<Law> laws_of_machines(const Dataset& data, const Dataset& means) {
     laws.back().width = width;
     add(x + "*abs(" + x + ")");
     add("sin(" + x + ")");
+  }
+  for (std::size_t j = 0; j < data.inputs.size(); ++j) {
+    const auto is_below = [&](const Trajectory& record) {
+      return record.inputs.col(static_cast<Index>(j)).minCoeff() < 0.0;
+    };
+    if (std::any_of(data.trajectories.begin(), data.trajectories.end(), is_below))
+      add("abs(" + data.inputs[j].name + ")");
   }
   return laws;
 }
@@ -325,14 +333,10 @@ std::optional<FreeRun> extended(const PlainSearch& search, const FreeRun& best) 
              : std::nullopt;
 }
 
-}  // namespace
-
-std::optional<FreeRun> plain_structure(const Dataset& data, const TermLibrary& library,
-                                       double least, const RunContext& context) {
+/// The search from one structure; nothing where that has no finite run.
+std::optional<FreeRun> searched_from(const PlainSearch& search, const SystemModel& start) {
   constexpr int kRounds = 4;  // a bound of the work: what takes more terms is not plain
-  const PlainSearch search(data, library, least, context);
-  if (!search.has_rows()) return std::nullopt;
-  FreeRun best = search.run(search.affine());
+  FreeRun best = search.run(start);
   if (!best.is_finite()) return std::nullopt;
   best = pruned(search, std::move(best));
   for (int round = 0; round < kRounds && !search.is_late(); ++round) {
@@ -340,6 +344,47 @@ std::optional<FreeRun> plain_structure(const Dataset& data, const TermLibrary& l
     if (!next) break;
     best = pruned(search, *std::move(next));
   }
+  return best;
+}
+
+}  // namespace
+
+Dataset in_stretches(const Dataset& data) {
+  constexpr Index kPeriods = 6;
+  if (data.input_count() > 0) return data;
+  std::vector<Matrix> paths;
+  std::vector<bool> measured;
+  for (const Trajectory& record : data.trajectories) paths.push_back(record.states);
+  for (Index k = 0; k < data.state_count(); ++k) measured.push_back(data.is_measured(k));
+  const Index length = kPeriods * window_samples(paths, measured);
+  Dataset stretches = data;
+  stretches.trajectories.clear();
+  for (const Trajectory& record : data.trajectories) {
+    const Index count = std::max<Index>(record.samples() / length, 1);
+    for (Index i = 0; i < count; ++i) {
+      const Index first = i * record.samples() / count,
+                  end = (i + 1) * record.samples() / count;
+      stretches.trajectories.push_back(rows_of(record, first, end - first));
+    }
+  }
+  return stretches;
+}
+
+std::optional<FreeRun> plain_structure(const Dataset& data, const TermLibrary& library,
+                                       const OdeModel& found, double least,
+                                       const RunContext& context) {
+  const Dataset stretches = in_stretches(data);
+  const PlainSearch search(stretches, library, least, context);
+  if (!search.has_rows()) return std::nullopt;
+  const SystemModel law = search.affine();
+  std::optional<FreeRun> best = searched_from(search, law);
+  constexpr std::size_t kMore = 2;  // terms: what has more takes long to lose them
+  std::size_t terms = 0, affine = 0;
+  for (const Equation& equation : found.equations()) terms += equation.size();
+  for (const Equation& equation : law.symbolic().equations()) affine += equation.size();
+  if (terms > affine + kMore || search.is_late()) return best;
+  std::optional<FreeRun> other = searched_from(search, SystemModel(found));
+  if (!best || (other && is_better(*other, *best, least))) return other;
   return best;
 }
 
