@@ -73,7 +73,7 @@ std::optional<LateEquations> plain_equations(const Dataset& data, const Pipeline
   const Dataset acting = with_inputs_delayed(data, result.times, without);
   FreeRun run = free_run(plain->system, in_stretches(acting), context);
   FreeRun before = free_run(SystemModel(found.result.model),
-                            with_inputs_delayed(data, own, without), context);
+                            in_stretches(with_inputs_delayed(data, own, without)), context);
   run.numbers += result.found.size();
   before.numbers += found.result.dead_times.size();
   if (!is_better(run, before, found.least)) return std::nullopt;
