@@ -125,17 +125,21 @@ const std::map<std::string, Thoroughness>& efforts() {
   return kEfforts;
 }
 
+void declare_time_limit(CLI::App& app, RunOptions& options) {
+  app.add_option("--time-limit", options.time_limit,
+                 "Seconds after which the run ends with the answer that it has by then and names "
+                 "what was left out")
+      ->check(check_time_limit, "0.001 to 1e9", "time limit")
+      ->type_name("S");
+}
+
 void declare_effort_options(CLI::App& app, RunOptions& options) {
   app.add_option("--effort", options.effort,
                  "quick: only what an answer needs; normal: all stages, as far as something "
                  "can be gained; full: all to their end [default: normal]")
       ->transform(value_of(efforts()))
       ->type_name("quick|normal|full");
-  app.add_option("--time-limit", options.time_limit,
-                 "Seconds after which the run ends with the answer that it has by then and names "
-                 "the stages left out")
-      ->check(check_time_limit, "0.001 to 1e9", "time limit")
-      ->type_name("S");
+  declare_time_limit(app, options);
 }
 
 RunContext make_context(const Session& session, const RunOptions& options) {

@@ -61,7 +61,7 @@ struct RunOptions {
   std::uint64_t seed = 1;
   int threads = 1;
   std::uint64_t max_memory = 0;  ///< bytes
-  std::optional<double> time_limit;  ///< seconds, of commands that can end early
+  std::optional<double> time_limit;  ///< seconds
   Thoroughness effort = Thoroughness::Normal;
   std::string progress = "auto";
 };
@@ -70,6 +70,10 @@ void declare_run_options(CLI::App& app, RunOptions& options);
 
 /// Efforts by the names that users give them.
 const std::map<std::string, Thoroughness>& efforts();
+
+/// The option --time-limit: at the limit the command ends, with what it has by then or, where
+/// that is nothing (OutOfTime), with an error.
+void declare_time_limit(CLI::App& app, RunOptions& options);
 
 /// Options of a command that can give an answer with some of its stages left out.
 void declare_effort_options(CLI::App& app, RunOptions& options);

@@ -32,7 +32,7 @@ int plan_command(const Session& session, const PlanArguments& options) {
   if (options.json) write_output(session, *options.json, format_json(report));
   write_report(session, options.report, [&] { return plan_page(report); });
   if (!writes_to_output(options)) show(session, format_text(report));
-  return report.plan.is_feasible ? 0 : 1;
+  return report.plan.is_feasible && left_out_line(report.plan.stages).empty() ? 0 : 1;
 }
 
 void declare_task(CLI::App& app, PlanArguments& options) {
@@ -174,6 +174,7 @@ Command declare_plan(CLI::App& root) {
   declare_outputs(*app, *options);
   declare_report_options(*app, options->report);
   declare_run_options(*app, options->run);
+  declare_time_limit(*app, options->run);
   return {app, [options](const Session& session) { return plan_command(session, *options); }};
 }
 

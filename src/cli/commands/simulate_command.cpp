@@ -331,6 +331,7 @@ void declare_options(CLI::App& app, SimulateArguments& options) {
   app.add_option("--time", options.input_time, "Time column of the input record")
       ->type_name("NAME");
   declare_run_options(app, options.run);
+  declare_time_limit(app, options.run);
 }
 
 }  // namespace

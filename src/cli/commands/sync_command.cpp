@@ -108,6 +108,7 @@ int sync_command(const Session& session, const SyncArguments& options) {
   if (options.json) write_output(session, *options.json, format_json(found.report));
   write_report(session, options.report, [&] { return sync_page(found.report, found.data); });
   if (options.json != "-" && options.report.page != "-") show(session, text_of(found));
+  if (!left_out_line(found.report.result.stages).empty()) return 1;
   const std::string failure = failure_of(found);
   if (failure.empty()) return 0;
   session.streams.err << "lacuna: error: " << failure << "\n";
@@ -123,7 +124,7 @@ SyncAnswer answer(const Registry& registry, const SyncRequest& request,
   const auto differentiator = registry.make<Differentiator>(request.differentiator);
   const std::optional<Matrix> coupling = parse_coupling(model, request.coupling);
   check_map(request.data, column_names(model));
-  context.report("reading data", 0.0);
+  context.unhurried().report("reading data", 0.0);
   Dataset data =
       long_enough(records_for(model, request.data, common_roles(request.data), *differentiator),
                   *integrator);
@@ -176,6 +177,7 @@ Command declare_sync(CLI::App& root) {
       ->type_name(kFile);
   declare_report_options(*app, options->report);
   declare_run_options(*app, options->run);
+  declare_time_limit(*app, options->run);
   return {app, [options](const Session& session) { return sync_command(session, *options); }};
 }
 

@@ -3,6 +3,7 @@
 
 #include <optional>
 
+#include "lacuna/core/base/run_context.hpp"
 #include "lacuna/data/records/dataset.hpp"
 
 namespace lacuna {
@@ -28,7 +29,9 @@ struct Divergence {
 /// @param references samples whose neighbours are followed, spread over the record.
 /// @throws ArgumentError when the record is not uniform, is shorter than 20 mean periods or
 /// does not move.
-/// The same when a sample or its square is not finite, or rows and times differ in number.
-Divergence rosenstein_divergence(const Trajectory& record, Index references = 2000);
+/// The same when a sample or its square is not finite, or rows and times differ in number;
+///   Cancelled, OutOfTime as RunContext::check_stop().
+Divergence rosenstein_divergence(const Trajectory& record, const RunContext& context = {},
+                                 Index references = 2000);
 
 }  // namespace lacuna

@@ -251,6 +251,14 @@ SyncVerdict admitted(SyncVerdict claimed, std::vector<Doubt> doubts = {}) {
   return {.decided = false, .sentence = "Undecided: " + admission.why + remedy + "."};
 }
 
+/// A synchronisation that a limit has cut: no verdict. Without a sentence where none has.
+SyncVerdict cut_short(const SyncResult& result) {
+  const Admission admission = admit({.claim = Claim::Fits, .stages = result.stages});
+  if (admission.stands()) return {};
+  return {.decided = false,
+          .sentence = "Incomplete: " + admission.why + "; " + admission.remedy + "."};
+}
+
 /// Whether `diagnose` takes a record of this length.
 bool may_be_diagnosed(const Dataset& record) {
   return std::any_of(
@@ -385,6 +393,7 @@ std::string stronger_coupling(const std::vector<Quantity>& states, const Matrix&
 
 SyncVerdict judge(const OdeModel& model, const Dataset& record, const SyncResult& result,
                   const SyncVerdictOptions& options) {
+  if (SyncVerdict open = cut_short(result); !open.sentence.empty()) return open;
   if (result.status != IntegrationStatus::Completed)
     return judge_broken_off(result);
   if (!determines_hidden(record.trajectories.front(), result, options))

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/base/text.hpp"
+#include "lacuna/core/base/admission.hpp"
 #include "folded_text.hpp"
 
 namespace lacuna {
@@ -92,10 +93,25 @@ std::string failures_of(const BenchResult& result) {
   return text.empty() ? text : "\nFailed (the first of each):\n" + text;
 }
 
+/// "3 of 8 cells", with draws that a limit left out; none where there is none.
+std::vector<StageDone> cells_left_out(const BenchResult& result) {
+  if (result.complete()) return {};
+  const auto cut = std::count_if(result.cells.begin(), result.cells.end(),
+                                 [](const BenchCell& cell) { return !cell.done; });
+  return {{std::to_string(cut) + " of " + std::to_string(result.cells.size()) + " cells", false,
+           kTimeIsUp}};
+}
+
 }  // namespace
 
+std::string incomplete_line(const BenchResult& result) {
+  const Admission open = admit({.stages = cells_left_out(result)});
+  return open.stands() ? "" : "Incomplete: " + open.why + "; " + open.remedy + ".";
+}
+
 std::string format_text(const BenchResult& result) {
-  std::string text;
+  std::string text = incomplete_line(result);
+  if (!text.empty()) text += "\n\n";
   for (std::size_t level = 0; level < result.noise.size(); ++level)
     text += (level > 0 ? "\n" : "") + std::string("Noise ") +
             format_number(100.0 * result.noise[level]) + " % of each state:\n" +

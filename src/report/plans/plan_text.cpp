@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "core/base/text.hpp"
+#include "lacuna/core/base/admission.hpp"
 #include "lacuna/core/statistics/interval.hpp"
 #include "plan_parts.hpp"
 #include "report/pages/folded_text.hpp"
@@ -61,6 +62,8 @@ std::string parameters_sentence(const Plan& plan) {
 
 std::string verdict_of(const PlanReport& report) {
   const Plan& plan = report.plan;
+  if (const Admission open = admit({.stages = plan.stages}); !open.stands())
+    return "Incomplete: " + open.why + "; " + open.remedy + ".";
   if (!plan.is_feasible) return "Infeasible: " + plan.reasons.back() + ".";
   const bool numbers = plan.pairs.empty() || report.options.aim == PlanAim::Parameters;
   return numbers ? parameters_sentence(plan) : pairs_sentence(report);

@@ -11,6 +11,9 @@ namespace lacuna {
 /// structure, then error); failed draws below.
 std::string format_text(const BenchResult& result);
 
+/// "Incomplete: left out: ..." where a limit left out draws; else empty.
+std::string incomplete_line(const BenchResult& result);
+
 /// One line for each cell: parts, noise in %, draws, failed draws, rates and medians of what
 /// BenchScore has, the first failure. Numbers that are not there are empty.
 std::string format_csv(const BenchResult& result);
