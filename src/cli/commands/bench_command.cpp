@@ -215,7 +215,7 @@ int bench_command(const Session& session, const BenchArguments& options) {
                [&] { return bench_page(found.result, found.subject); });
   if (options.csv != "-" && options.report.page != "-") show(session, text_of(found));
   const std::string failure = found.failure();
-  if (failure.empty()) return found.result.complete() ? 0 : 1;
+  if (failure.empty()) return status_of(session, admission_of(found.result));
   session.streams.err << "lacuna: error: " << printable(failure) << "\n";
   return 1;
 }

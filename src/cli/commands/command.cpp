@@ -166,6 +166,13 @@ void finish_progress(const Session& session, const RunOptions& options) {
     session.streams.err << "\r\x1b[K" << std::flush;
 }
 
+int status_of(const Session& session, const Admission& admission) {
+  if (admission.stands()) return 0;
+  session.streams.err << "lacuna: error: no verdict: " << admission.why << "; "
+                      << admission.remedy << "\n";
+  return 1;
+}
+
 void write_output(const Session& session, const std::string& path, const std::string& text) {
   if (path == "-")
     session.streams.out << text;

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "lacuna/cli/commands/cli.hpp"
+#include "lacuna/core/base/admission.hpp"
 #include "lacuna/core/base/run_context.hpp"
 #include "lacuna/core/base/stages_done.hpp"
 #include "lacuna/model/equations/system_model.hpp"
@@ -90,6 +91,10 @@ bool is_watched(const Session& session, const RunOptions& options);
 
 /// Ends the line that progress was shown on.
 void finish_progress(const Session& session, const RunOptions& options);
+
+/// The exit status of a command with a verdict: where none may be given, a line on standard error
+/// says why.
+int status_of(const Session& session, const Admission& admission);
 
 /// Writes text to a file, whole or not at all, or to standard output for "-".
 void write_output(const Session& session, const std::string& path, const std::string& text);

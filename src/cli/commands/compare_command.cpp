@@ -86,7 +86,7 @@ int compare_command(const Session& session, const CompareArguments& options) {
   finish_progress(session, options.run);
   if (options.json) write_output(session, *options.json, format_json(found.report));
   if (options.json != "-") show(session, format_text(found.report));
-  return found.report.admission().stands() ? 0 : 1;
+  return status_of(session, found.report.admission());
 }
 
 }  // namespace

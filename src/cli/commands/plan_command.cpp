@@ -32,7 +32,9 @@ int plan_command(const Session& session, const PlanArguments& options) {
   if (options.json) write_output(session, *options.json, format_json(report));
   write_report(session, options.report, [&] { return plan_page(report); });
   if (!writes_to_output(options)) show(session, format_text(report));
-  return report.plan.is_feasible && left_out_line(report.plan.stages).empty() ? 0 : 1;
+  if (const Admission cut = admission_of(report.plan); !cut.stands())
+    return status_of(session, cut);
+  return report.plan.is_feasible ? 0 : 1;
 }
 
 void declare_task(CLI::App& app, PlanArguments& options) {

@@ -151,14 +151,14 @@ BenchResult bench(const BenchTask& task, const RunContext& context) {
   for (const BenchComposition& one : task.compositions) result.parts.push_back(one.parts);
   std::vector<std::vector<Dataset>> copies;
   for (const double level : task.noise) copies.push_back(copies_of(task, level, context.seed));
-  RunContext inner = context;
-  inner.progress = nullptr;
   const double count = static_cast<double>(task.compositions.size() * task.noise.size());
   for (std::size_t c = 0; c < task.compositions.size(); ++c)
     for (std::size_t level = 0; level < task.noise.size(); ++level) {
       const std::string activity = join(task.compositions[c].parts, " + ") + ", noise " +
                                    format_number(100.0 * task.noise[level]) + " %";
       context.unhurried().report(activity, static_cast<double>(result.cells.size()) / count);
+      RunContext inner = context;
+      inner.progress = nullptr;
       result.cells.push_back(cell_of(task, c, task.noise[level], copies[level], inner));
     }
   const bool any = std::any_of(result.cells.begin(), result.cells.end(), [](const auto& cell) {

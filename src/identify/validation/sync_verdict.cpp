@@ -251,14 +251,6 @@ SyncVerdict admitted(SyncVerdict claimed, std::vector<Doubt> doubts = {}) {
   return {.decided = false, .sentence = "Undecided: " + admission.why + remedy + "."};
 }
 
-/// A synchronisation that a limit has cut: no verdict. Without a sentence where none has.
-SyncVerdict cut_short(const SyncResult& result) {
-  const Admission admission = admit({.claim = Claim::Fits, .stages = result.stages});
-  if (admission.stands()) return {};
-  return {.decided = false,
-          .sentence = "Incomplete: " + admission.why + "; " + admission.remedy + "."};
-}
-
 /// Whether `diagnose` takes a record of this length.
 bool may_be_diagnosed(const Dataset& record) {
   return std::any_of(
@@ -391,9 +383,14 @@ std::string stronger_coupling(const std::vector<Quantity>& states, const Matrix&
                       : ", which is stronger");
 }
 
+Admission admission_of(const SyncResult& result) {
+  return admit({.claim = Claim::Fits, .stages = result.stages});
+}
+
 SyncVerdict judge(const OdeModel& model, const Dataset& record, const SyncResult& result,
                   const SyncVerdictOptions& options) {
-  if (SyncVerdict open = cut_short(result); !open.sentence.empty()) return open;
+  if (const Admission cut = admission_of(result); !cut.stands())
+    return {.decided = false, .sentence = "Incomplete: " + cut.why + "; " + cut.remedy + "."};
   if (result.status != IntegrationStatus::Completed)
     return judge_broken_off(result);
   if (!determines_hidden(record.trajectories.front(), result, options))

@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "core/base/text.hpp"
-#include "lacuna/core/base/admission.hpp"
 #include "folded_text.hpp"
 
 namespace lacuna {
@@ -104,14 +103,14 @@ std::vector<StageDone> cells_left_out(const BenchResult& result) {
 
 }  // namespace
 
-std::string incomplete_line(const BenchResult& result) {
-  const Admission open = admit({.stages = cells_left_out(result)});
-  return open.stands() ? "" : "Incomplete: " + open.why + "; " + open.remedy + ".";
+Admission admission_of(const BenchResult& result) {
+  return admit({.claim = Claim::Fits, .stages = cells_left_out(result)});
 }
 
 std::string format_text(const BenchResult& result) {
-  std::string text = incomplete_line(result);
-  if (!text.empty()) text += "\n\n";
+  std::string text;
+  if (const Admission cut = admission_of(result); !cut.stands())
+    text = "Incomplete: " + cut.why + "; " + cut.remedy + ".\n\n";
   for (std::size_t level = 0; level < result.noise.size(); ++level)
     text += (level > 0 ? "\n" : "") + std::string("Noise ") +
             format_number(100.0 * result.noise[level]) + " % of each state:\n" +

@@ -3,7 +3,6 @@
 #include <cmath>
 
 #include "core/base/text.hpp"
-#include "lacuna/core/base/admission.hpp"
 #include "lacuna/core/statistics/interval.hpp"
 #include "plan_parts.hpp"
 #include "report/pages/folded_text.hpp"
@@ -60,9 +59,13 @@ std::string parameters_sentence(const Plan& plan) {
 
 }  // namespace
 
+Admission admission_of(const Plan& plan) {
+  return admit({.claim = Claim::Fits, .stages = plan.stages});
+}
+
 std::string verdict_of(const PlanReport& report) {
   const Plan& plan = report.plan;
-  if (const Admission open = admit({.stages = plan.stages}); !open.stands())
+  if (const Admission open = admission_of(plan); !open.stands())
     return "Incomplete: " + open.why + "; " + open.remedy + ".";
   if (!plan.is_feasible) return "Infeasible: " + plan.reasons.back() + ".";
   const bool numbers = plan.pairs.empty() || report.options.aim == PlanAim::Parameters;

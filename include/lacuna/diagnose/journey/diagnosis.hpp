@@ -84,10 +84,14 @@ struct Diagnosis {
   OdeModel nominal;
   std::vector<Disagreement> disagreement;
   std::vector<NamedEffect> effects;
+  /// Effects of the fit that each explain less than DecisionOptions::effect_size of the
+  /// disagreement, beside `effects` that explain more: no part of what is named, and in
+  /// `augmented`, which would be another fit without them.
+  std::vector<NamedEffect> minor_effects = {};
   std::vector<CoefficientChange> coefficient_changes;
   std::optional<Gap> gap;
   Remaining remaining;
-  OdeModel augmented;  ///< nominal model with fitted coefficients and effects
+  OdeModel augmented;  ///< nominal model with fitted coefficients and all effects of the fit
   NoiseModel noise;
   std::vector<Round> rounds;
   std::vector<Rival> rivals;  ///< every composite model that was judged, in order

@@ -37,6 +37,9 @@ struct SyncVerdictOptions {
   void describe(OptionVisitor& visitor);
 };
 
+/// Whether any verdict on a synchronisation may be given: none where a limit left out a stage of it.
+Admission admission_of(const SyncResult& result);
+
 /// Judges a synchronisation by the noise of the record: a slave of a complete model is off by
 /// the noise or less.
 ///

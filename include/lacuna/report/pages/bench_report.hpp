@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "lacuna/core/base/admission.hpp"
 #include "lacuna/identify/bench/bench.hpp"
 
 namespace lacuna {
@@ -11,8 +12,8 @@ namespace lacuna {
 /// structure, then error); failed draws below.
 std::string format_text(const BenchResult& result);
 
-/// "Incomplete: left out: ..." where a limit left out draws; else empty.
-std::string incomplete_line(const BenchResult& result);
+/// Whether compositions are compared: not where a limit left out draws.
+Admission admission_of(const BenchResult& result);
 
 /// One line for each cell: parts, noise in %, draws, failed draws, rates and medians of what
 /// BenchScore has, the first failure. Numbers that are not there are empty.

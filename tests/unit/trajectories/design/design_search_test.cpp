@@ -3,7 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <chrono>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 namespace lacuna {
@@ -34,8 +37,8 @@ TEST(BestDesigns, AreSortedSeededAndTheSameForAnyThreads) {
   RunContext one, four;
   four.threads = 4;
   const DesignSearch search{10, 3, 200};
-  const auto found = best_designs({2, 2}, make_score, {}, search, one);
-  const auto again = best_designs({2, 2}, make_score, {}, search, four);
+  const auto found = best_designs({2, 2}, make_score, {}, search, one).best;
+  const auto again = best_designs({2, 2}, make_score, {}, search, four).best;
   ASSERT_EQ(found.size(), 3u);
   ASSERT_EQ(again.size(), 3u);
   EXPECT_EQ(found[0].space, 1u);
@@ -44,6 +47,38 @@ TEST(BestDesigns, AreSortedSeededAndTheSameForAnyThreads) {
   for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(found[i].design, again[i].design);
   EXPECT_GE(found[0].score, found[1].score);
   EXPECT_GE(found[1].score, found[2].score);
+}
+
+TEST(BestDesigns, PastTheDeadlineTheBestSoFarIsTheAnswer) {
+  const DesignSearch search{10, 3, 200};
+  for (const int last : {4, 10, 17}) {  // within the candidates, at their end, on the way
+    RunContext context;
+    int judged = 0;
+    double best = -1e9;
+    const auto make_score = [&]() -> Score {
+      return [&](std::size_t, const Vector& at) {
+        if (++judged == last) context.deadline = std::chrono::steady_clock::now();
+        const double score = -(at.array() - 0.35).matrix().squaredNorm();
+        best = std::max(best, score);
+        return score;
+      };
+    };
+    const SearchedDesigns found = best_designs({2}, make_score, {}, search, context);
+    EXPECT_FALSE(found.in_time) << last;
+    EXPECT_EQ(judged, last);
+    EXPECT_EQ(found.best.front().score, best) << last;
+  }
+}
+
+TEST(BestDesigns, WithoutAnyThereIsNoAnswer) {
+  RunContext context;
+  const auto make_score = [&]() -> Score {
+    return [&](std::size_t, const Vector&) {
+      context.deadline = std::chrono::steady_clock::now();
+      return -std::numeric_limits<double>::infinity();
+    };
+  };
+  EXPECT_THROW(best_designs({1}, make_score, {}, {}, context), OutOfTime);
 }
 
 TEST(BestDesigns, AStopEndsTheSearch) {
