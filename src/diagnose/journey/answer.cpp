@@ -404,7 +404,6 @@ Diagnosis make_answer(const Problem& problem, Judged judged, std::optional<Gap> 
       .nominal = problem.nominal,
       .disagreement = locate(base.given, problem.context),
       .effects = std::move(best.named),
-      .minor_effects = {},
       .coefficient_changes =
           coefficient_changes(problem.nominal, fit, base.fit_options.free.size()),
       .gap = std::move(gap),

@@ -286,6 +286,27 @@ TEST_F(Answer, AModelWithoutDiscrepancyStaysAsItWas) {
   EXPECT_NE(answer(nameless(5.0)).augmented.coefficient(1, "q"), -4.0);
 }
 
+TEST_F(Answer, WhatExplainsHardlyAnythingStandsApart) {
+  CompositeModel judged = composite("sign(v)");
+  judged.named = {{.equation = 1, .name = "first", .gap_closed = 4e-4},
+                  {.equation = 1, .name = "second", .gap_closed = 0.9},
+                  {.equation = 1, .name = "third", .gap_closed = 2e-3}};
+  judged.findings = {{.equation = 1, .name = "fourth", .gap_closed = -1e-5}};
+  const auto names = [](const std::vector<NamedEffect>& effects) {
+    std::string all;
+    for (const NamedEffect& effect : effects) all += effect.name + " ";
+    return all;
+  };
+  const Diagnosis found = answer(judged);
+  EXPECT_EQ(names(found.effects), "second third ");
+  EXPECT_EQ(names(found.minor_effects), "first fourth ");
+  judged.findings.clear();
+  judged.named.resize(1);
+  const Diagnosis alone = answer(judged);
+  EXPECT_EQ(names(alone.effects), "first ") << "by itself it is the finding";
+  EXPECT_TRUE(alone.minor_effects.empty());
+}
+
 TEST_F(Answer, WindowsWithoutASolutionAndNoiseWithAMemoryAreNoted) {
   CompositeModel judged = nameless(0.0);
   judged.explanation.fit.noise.coloured[0] = ColouredNoise{0.05, 2.0};

@@ -8,6 +8,7 @@
 #include "core/base/random.hpp"
 #include "lacuna/model/files/ode_text.hpp"
 #include "lacuna/trajectories/fit/fit.hpp"
+#include "trajectories/fit/fit_answer.hpp"
 
 namespace lacuna {
 namespace {
@@ -85,6 +86,22 @@ TEST(FitNotes, SendNobodyToADiagnosisThatRefuses) {
     EXPECT_THAT(notes, HasSubstr("`lacuna fit ONE.ode TWO.ode DATA` compares structures"));
     EXPECT_THAT(notes, Not(HasSubstr("lacuna diagnose")));
   }
+}
+
+TEST(NotesOf, WhatSearchesCameToSaysWhatToDo) {
+  const auto note = [](int agreeing) {
+    Fit fit = fit_of_one_number(Adequate::Yes, true);
+    fit.converged = true;
+    fit.starts = 3;
+    fit.agreeing = agreeing;
+    return notes_of(fit).front();
+  };
+  EXPECT_THAT(note(3), HasSubstr("all 3 searches"));
+  EXPECT_THAT(note(3), Not(HasSubstr("worse")));
+  EXPECT_THAT(note(2), HasSubstr("2 of 3 searches"));
+  EXPECT_THAT(note(2), HasSubstr("the other one to worse ones"));
+  EXPECT_THAT(note(1), HasSubstr("the best, and the other 2 to worse ones"));
+  EXPECT_THAT(note(1), HasSubstr("--starts"));
 }
 
 }  // namespace
