@@ -118,7 +118,9 @@ void report_effect(const Diagnosis& diagnosis, const NamedEffect& effect, Senten
   const bool acts = effect.place == Place::Rate;
   const std::string unit = acts ? rate_unit_of(diagnosis, effect.equation)
                                 : state_of(diagnosis, effect.equation).unit;
-  out.push_back((acts ? "Equation " : "Channel ") + state_name(diagnosis, effect.equation) +
+  out.push_back((diagnosis.admission.stands() ? "" : "A candidate, no finding. ") +
+                std::string(acts ? "Equation " : "Channel ") +
+                state_name(diagnosis, effect.equation) +
                 ": " + effect.description + " (" + effect.name + "), " +
                 with_error(effect.coefficient, kNormalQuantile975 * effect.deviation) +
                 (unit.empty() ? "" : " " + unit) + " * " +

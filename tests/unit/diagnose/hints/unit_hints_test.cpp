@@ -4,6 +4,15 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <numbers>
+#include <string>
+
+#include "lacuna/data/derivatives/finite_differences.hpp"
+#include "lacuna/dynamics/integration/runge_kutta.hpp"
+#include "lacuna/dynamics/test_systems/measurement.hpp"
+#include "lacuna/model/files/ode_text.hpp"
+#include "lacuna/records/binding/model_view.hpp"
 #include "support/driven_oscillator.hpp"
 
 namespace lacuna {
@@ -42,6 +51,42 @@ TEST(UnitHints, WhereNothingIsOffItIsARemark) {
 TEST(UnitHints, KnownUnitsHaveNone) {
   const BoundRecords records = observed(support::hidden_record(support::nothing, 0.01));
   EXPECT_TRUE(unit_hints(kInUnits, records, rate_windows(records), {}).empty());
+}
+
+/// Hints for a pendulum whose angle is written in so many steps of a turn, from so far up.
+std::vector<Hint> hints_for_pendulum(const std::string& unit, double steps, double amplitude,
+                                     bool in_counts) {
+  const double turn = unit == "rad" ? 2.0 * std::numbers::pi : 360.0;
+  const std::string to_rad = unit == "rad" ? "th" : "pi/180*th";
+  const std::string gain = unit == "rad" ? "-7" : "-401.07";
+  const OdeModel model =
+      parse_ode("time s\nstate th [" + unit + "]\nstate w [" + unit + "/s]\ndth/dt = w\ndw/dt = " +
+                    gain + "*sin(" + to_rad + ") - 0.2*w\n",
+                "made");
+  Dataset data = record_of(model, Rk4{{.substeps = 4}},
+                           Eigen::Vector2d(amplitude * turn, 0.0), 0.01, 1500);
+  data.states.resize(1);
+  Matrix& states = data.trajectories[0].states;
+  states = (states.leftCols(1) * (steps / turn)).array().round().matrix();
+  if (!in_counts) states *= turn / steps;
+  const BoundRecords records = observed(model_view(model, data, FiniteDifferences{}));
+  return unit_hints(model, records, rate_windows(records), {});
+}
+
+TEST(UnitHints, WholeNumbersForAnAngleAreCountsWhereAFactorUndoesTheMisfit) {
+  for (const std::string unit : {"rad", "deg"}) {
+    const std::vector<Hint> hints = hints_for_pendulum(unit, 5000.0, 0.3, true);
+    ASSERT_EQ(hints.size(), 1u) << unit;
+    EXPECT_EQ(hints[0].kind, HintKind::ChannelUnit);
+    EXPECT_THAT(hints[0].message, HasSubstr("th is whole numbers in the records"));
+    const std::string times = unit == "rad" ? "th by 2*pi/" : "th by 360/";
+    ASSERT_THAT(hints[0].remedy, HasSubstr(times));
+    const double counts = std::stod(hints[0].remedy.substr(hints[0].remedy.find(times) +
+                                                           times.size()));
+    EXPECT_NEAR(counts, 5000.0, 50.0);
+    EXPECT_TRUE(hints_for_pendulum(unit, 5000.0, 0.3, false).empty()) << unit;
+  }
+  EXPECT_TRUE(hints_for_pendulum("deg", 360.0, 0.3, true).empty()) << "degrees are whole, too";
 }
 
 TEST(UnitHints, ColumnsInEachOthersUnitsLookSwapped) {

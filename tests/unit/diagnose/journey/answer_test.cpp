@@ -13,7 +13,7 @@ Gap gap(double before, double after) {
   Gap made;
   made.before = before;
   made.after = after;
-  made.noise_floor = 1.0;
+  made.noise_floor = made.white_floor = 1.0;
   return made;
 }
 

@@ -216,6 +216,16 @@ TEST(DiagnosisReport, WhatExplainsNextToNothingIsANote) {
   EXPECT_EQ(json["minor_effects"][0]["claim"], false);
 }
 
+TEST(DiagnosisReport, WithoutAVerdictEffectsAreCandidates) {
+  Diagnosis diagnosis = made();
+  diagnosis.verdict = Verdict::Undetermined;
+  diagnosis.admission = {Standing::Undetermined, "noise is as slow as that"};
+  const std::string text = format_text(diagnosis);
+  EXPECT_EQ(text.find("Undetermined: noise is as slow as that.\n"), 0u);
+  EXPECT_THAT(text, testing::HasSubstr("\nA candidate, no finding. Equation v: dry friction"));
+  EXPECT_EQ(nlohmann::json::parse(format_json(diagnosis))["effects"][0]["claim"], false);
+}
+
 TEST(DiagnosisReport, OfManyCoefficientsTheMostSignificantAreListed) {
   Diagnosis diagnosis = made();
   diagnosis.coefficient_changes.clear();
