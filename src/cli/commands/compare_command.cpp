@@ -56,8 +56,8 @@ CompareAnswer compare_model(const Registry& registry, const CompareRequest& opti
   Dataset simulated = data;
   simulated.trajectories = {longest_record(data)};
   simulated.trajectories[0].states = std::move(orbit.states);
-  return {{options.model.path, options.data.name(), compare_attractors(simulated, data, context),
-           data.notes}};
+  return {{options.model.path, options.data.name(),
+           compare_attractors(simulated, data, context), data.notes}};
 }
 
 CompareAnswer compare_records(const CompareRequest& options, const RecordSources& one,
@@ -71,8 +71,8 @@ CompareAnswer compare_records(const CompareRequest& options, const RecordSources
   const Dataset a = read_data(first), b = in_units_of(a.states, read_data(options.data));
   std::vector<std::string> notes = a.notes;
   notes.insert(notes.end(), b.notes.begin(), b.notes.end());
-  return {{first.name(), options.data.name(), compare_attractors(a, b, context),
-           std::move(notes)}};
+  return {
+      {first.name(), options.data.name(), compare_attractors(a, b, context), std::move(notes)}};
 }
 
 int compare_command(const Session& session, const CompareArguments& options) {

@@ -139,17 +139,18 @@ bool are_counts(const Dataset& data, Index k) {
 Hint hint_for_counts(const Quantity& state, const Turn& turn, double factor) {
   constexpr int kDigits = 4;  // more than a factor is known to
   const std::string counts = std::to_string(std::llround(turn.size / factor));
-  return {HintKind::ChannelUnit,
-          state.name + " is whole numbers in the records and in " + state.unit +
-              " in the model, as counts of an encoder are; the records suggest that 1 count is " +
-              format_number(factor, kDigits) + " " + state.unit + ", about " + counts + " a turn",
-          "give the column in " + state.unit + ": multiply " + state.name + " by " + turn.text +
-              "/" + counts,
-          Withheld::Answer};
+  return {
+      HintKind::ChannelUnit,
+      state.name + " is whole numbers in the records and in " + state.unit +
+          " in the model, as counts of an encoder are; the records suggest that 1 count is " +
+          format_number(factor, kDigits) + " " + state.unit + ", about " + counts + " a turn",
+      "give the column in " + state.unit + ": multiply " + state.name + " by " + turn.text +
+          "/" + counts,
+      Withheld::Answer};
 }
 
-/// States that are angles in the model and look like counts in the records, where a factor undoes
-/// the misfit.
+/// States that are angles in the model and look like counts in the records, where a factor
+/// undoes the misfit.
 std::vector<Hint> count_hints(const OdeModel& model, const Dataset& data,
                               const RateWindows& windows, const HintOptions& options) {
   std::vector<Hint> hints;

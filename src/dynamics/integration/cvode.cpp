@@ -24,8 +24,8 @@ struct Rates {
   std::exception_ptr thrown = {};  ///< by the right-hand side: none passes through C
 };
 
-/// SUNDIALS' callback; 1 asks it to try a shorter step, for rates that are not finite; below 0 it
-/// gives up.
+/// SUNDIALS' callback; 1 asks it to try a shorter step, for rates that are not finite; below 0
+/// it gives up.
 int evaluate(realtype t, N_Vector x, N_Vector dxdt, void* data) {
   auto& rates = *static_cast<Rates*>(data);
   double* values = N_VGetArrayPointer(dxdt);

@@ -86,13 +86,11 @@ std::string divergence_message(const Trajectory& trajectory, const SlaveRun& run
 
 /// What a slave that came to the end leaves open: other slaves show it.
 void probe(const SlaveTask& task, const Dataset& view, SyncResult& result) {
-  run_stage(result.stages, "response to noise", [&] {
-    result.response = response_to_noise(task, view, result);
-  });
+  run_stage(result.stages, "response to noise",
+            [&] { result.response = response_to_noise(task, view, result); });
   result.error_over_noise = error_over_noise(view, result);
-  run_stage(result.stages, "response to the first sample", [&] {
-    result.start_response = response_to_start(task, view, result);
-  });
+  run_stage(result.stages, "response to the first sample",
+            [&] { result.start_response = response_to_start(task, view, result); });
   if (result.status == IntegrationStatus::Completed && task.integrator.has_fixed_steps())
     run_stage(result.stages, "errors of the steps",
               [&] { result.step_errors = step_errors(task, view, result); });
@@ -150,7 +148,8 @@ bool is_automatic(const Integrator& integrator) {
 }
 
 /// Slaves by steps that adapt, and where these get too small by fixed ones, where the first
-/// broke off or are faster than the samples; nothing where it stands, or nothing else gets farther.
+/// broke off or are faster than the samples; nothing where it stands, or nothing else gets
+/// farther.
 std::optional<SyncResult> by_other_steps(const SlaveTask& task, const Dataset& view,
                                          const Vector& noise, const SyncResult& first) {
   const bool adapts = !task.integrator.has_fixed_steps();
@@ -160,9 +159,9 @@ std::optional<SyncResult> by_other_steps(const SlaveTask& task, const Dataset& v
   const auto by = [&](const Integrator& integrator) {
     // The fewer samples, the less a curve overshoots between them.
     const LagrangeWindow plain = adapts ? LagrangeWindow::driving(Rk4{}.order()) : task.window;
-    return driven({task.model, task.coupling, integrator, plain, task.start, task.seen,
-                   task.context},
-                  view, noise);
+    return driven(
+        {task.model, task.coupling, integrator, plain, task.start, task.seen, task.context},
+        view, noise);
   };
   SyncResult finer = by(Automatic(stiff_steps(view)));
   if (finer.status == IntegrationStatus::Completed) {

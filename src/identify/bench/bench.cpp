@@ -80,7 +80,8 @@ BenchCell cell_of(const BenchTask& task, std::size_t composition, double noise,
 }  // namespace
 
 bool BenchResult::complete() const {
-  return std::all_of(cells.begin(), cells.end(), [](const BenchCell& cell) { return cell.done; });
+  return std::all_of(cells.begin(), cells.end(),
+                     [](const BenchCell& cell) { return cell.done; });
 }
 
 const BenchCell& BenchResult::cell(std::size_t composition, std::size_t level) const {

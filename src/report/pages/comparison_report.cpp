@@ -47,11 +47,11 @@ std::string format_text(const ComparisonReport& report) {
   const bool judged =
       std::any_of(report.measures.begin(), report.measures.end(),
                   [](const AttractorMeasure& measure) { return measure.agree.has_value(); });
-  const std::string verdict = !admission.stands() ? "Incomplete: " + admission.why + "; " +
-                                                        admission.remedy + "."
-                              : report.agree() ? "They agree: one attractor as far as these show."
-                              : judged       ? "They do not agree in all measures."
-                                             : "Undecided: no measure could be judged.";
+  const std::string verdict =
+      !admission.stands() ? "Incomplete: " + admission.why + "; " + admission.remedy + "."
+      : report.agree()    ? "They agree: one attractor as far as these show."
+      : judged            ? "They do not agree in all measures."
+                          : "Undecided: no measure could be judged.";
   std::string text =
       verdict + "\n\n" + text_table(rows) +
       "\nNumbers are means of five blocks +- 95 %. Spectrum and density are Hellinger's "

@@ -18,7 +18,8 @@ struct ComparisonReport {
   /// Whether nothing disagrees, and something agrees.
   bool agree() const;
 
-  /// Whether that may be said: a measure that a limit left out could change that nothing disagrees.
+  /// Whether that may be said: a measure that a limit left out could change that nothing
+  /// disagrees.
   Admission admission() const;
 };
 

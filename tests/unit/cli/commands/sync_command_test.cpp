@@ -81,8 +81,9 @@ TEST(SyncCommand, ColumnsThatTheModelLacksAreSaid) {
   const auto outcome = run_command({"sync", model, record});
   EXPECT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_THAT(outcome.out, HasSubstr("; not used p, q\n"));
-  EXPECT_EQ(nlohmann::json::parse(run_command({"sync", model, record, "--json", "-"}).out)["states"],
-            std::vector<std::string>{"x"});
+  EXPECT_EQ(
+      nlohmann::json::parse(run_command({"sync", model, record, "--json", "-"}).out)["states"],
+      std::vector<std::string>{"x"});
 }
 
 TEST(SyncCommand, AnOutputThatIsAFormulaIsStatus2) {

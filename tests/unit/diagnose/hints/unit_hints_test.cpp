@@ -60,11 +60,11 @@ std::vector<Hint> hints_for_pendulum(const std::string& unit, double steps, doub
   const std::string to_rad = unit == "rad" ? "th" : "pi/180*th";
   const std::string gain = unit == "rad" ? "-7" : "-401.07";
   const OdeModel model =
-      parse_ode("time s\nstate th [" + unit + "]\nstate w [" + unit + "/s]\ndth/dt = w\ndw/dt = " +
-                    gain + "*sin(" + to_rad + ") - 0.2*w\n",
+      parse_ode("time s\nstate th [" + unit + "]\nstate w [" + unit +
+                    "/s]\ndth/dt = w\ndw/dt = " + gain + "*sin(" + to_rad + ") - 0.2*w\n",
                 "made");
-  Dataset data = record_of(model, Rk4{{.substeps = 4}},
-                           Eigen::Vector2d(amplitude * turn, 0.0), 0.01, 1500);
+  Dataset data = record_of(model, Rk4{{.substeps = 4}}, Eigen::Vector2d(amplitude * turn, 0.0),
+                           0.01, 1500);
   data.states.resize(1);
   Matrix& states = data.trajectories[0].states;
   states = (states.leftCols(1) * (steps / turn)).array().round().matrix();
@@ -81,8 +81,8 @@ TEST(UnitHints, WholeNumbersForAnAngleAreCountsWhereAFactorUndoesTheMisfit) {
     EXPECT_THAT(hints[0].message, HasSubstr("th is whole numbers in the records"));
     const std::string times = unit == "rad" ? "th by 2*pi/" : "th by 360/";
     ASSERT_THAT(hints[0].remedy, HasSubstr(times));
-    const double counts = std::stod(hints[0].remedy.substr(hints[0].remedy.find(times) +
-                                                           times.size()));
+    const double counts =
+        std::stod(hints[0].remedy.substr(hints[0].remedy.find(times) + times.size()));
     EXPECT_NEAR(counts, 5000.0, 50.0);
     EXPECT_TRUE(hints_for_pendulum(unit, 5000.0, 0.3, false).empty()) << unit;
   }

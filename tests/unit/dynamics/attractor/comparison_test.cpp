@@ -92,7 +92,9 @@ TEST(Comparison, WhatIsBeyondTheRangeOfNumbersDoesNotAgree) {
 TEST(Comparison, PastTheDeadlineMeasuresAreLeftOut) {
   const Dataset orbit = lorenz(1.0, 28.0);
   RunContext context;
-  context.progress = [&](const Progress&) { context.deadline = std::chrono::steady_clock::now(); };
+  context.progress = [&](const Progress&) {
+    context.deadline = std::chrono::steady_clock::now();
+  };
   const auto measures = compare_attractors(orbit, orbit, context);
   ASSERT_EQ(measures.size(), 6u);
   for (std::size_t i = 0; i < measures.size(); ++i) {

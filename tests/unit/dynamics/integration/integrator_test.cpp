@@ -132,8 +132,8 @@ TEST(Integrator, ADeadlineEndsARunBetweenTwoSamples) {
       if (++evaluations == 1000) context.deadline = std::chrono::steady_clock::now();
       oscillator(t, x, dxdt);
     };
-    EXPECT_THROW(
-        integrator->integrate(rates, Vector{{1.0, 0.0}}, Vector{{0.0, 1e4}}, context), OutOfTime)
+    EXPECT_THROW(integrator->integrate(rates, Vector{{1.0, 0.0}}, Vector{{0.0, 1e4}}, context),
+                 OutOfTime)
         << integrator->info().name;
     EXPECT_LT(evaluations, 2000) << integrator->info().name;
   }

@@ -38,10 +38,9 @@ TEST(Advice, WhatThePipelineWouldTakeOutAgainIsNotAdvised) {
   pipeline.pruner = KeepAll{};
   pipeline.refiner = NoRefiner{};
   const auto advice_with = [&](const std::string& size) {
-    return advice_on(
-        testing::record_of_text("dx/dt = v\ndv/dt = -x + " + size + "*sin(4*x)\n",
-                                Eigen::Vector2d(2.0, 0.0), 0.01, 3000),
-        pipeline);
+    return advice_on(testing::record_of_text("dx/dt = v\ndv/dt = -x + " + size + "*sin(4*x)\n",
+                                             Eigen::Vector2d(2.0, 0.0), 0.01, 3000),
+                     pipeline);
   };
   EXPECT_THAT(advice_with("0.5"), ElementsAre(HasSubstr("--add")));
   EXPECT_THAT(advice_with("0.05"), ElementsAre(HasSubstr("lacuna diagnose")));

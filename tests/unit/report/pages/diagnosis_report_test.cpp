@@ -207,7 +207,8 @@ TEST(DiagnosisReport, WhatExplainsNextToNothingIsANote) {
   small.alternatives.clear();
   small.gap_closed = 4e-4;
   diagnosis.minor_effects.push_back(small);
-  EXPECT_THAT(format_text(diagnosis), testing::HasSubstr("\nNote: Equation v: cubic term in q"));
+  EXPECT_THAT(format_text(diagnosis),
+              testing::HasSubstr("\nNote: Equation v: cubic term in q"));
   const auto json = nlohmann::json::parse(format_json(diagnosis));
   ASSERT_EQ(json["effects"].size(), 1u);
   EXPECT_EQ(json["effects"][0]["claim"], true);

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What a fit claims, and where it sends its user.
+#include "trajectories/fit/fit_answer.hpp"
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -8,7 +10,6 @@
 #include "core/base/random.hpp"
 #include "lacuna/model/files/ode_text.hpp"
 #include "lacuna/trajectories/fit/fit.hpp"
-#include "trajectories/fit/fit_answer.hpp"
 
 namespace lacuna {
 namespace {
