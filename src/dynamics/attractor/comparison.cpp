@@ -72,13 +72,21 @@ AttractorMeasure distance_measure(std::string name, const Blocks& a, const Block
                 other.mean - own.mean);
 }
 
-/// A measure that may be out of reach of a record, or of the time: why then stands in the note.
+/// A measure that the deadline may leave out.
 template <class Make>
-AttractorMeasure if_possible(const std::string& name, Make make) {
+AttractorMeasure in_time(const std::string& name, Make make) {
   try {
     return make();
   } catch (const OutOfTime&) {
     return {.name = name, .note = kTimeIsUp, .left_out = true};
+  }
+}
+
+/// One that may be out of reach of a record, too; its message then stands in the note.
+template <class Make>
+AttractorMeasure if_possible(const std::string& name, Make make) {
+  try {
+    return in_time(name, make);
   } catch (const ArgumentError& error) {
     return {.name = name, .note = error.what()};
   }
@@ -129,7 +137,7 @@ std::vector<AttractorMeasure> compare_attractors(const Dataset& a, const Dataset
         "spectrum", in_a, in_b,
         [](const auto& x, const auto& y) { return power_spectrum_distance(x, y, 4); }, context);
   }));
-  measures.push_back(if_possible("density", [&] {
+  measures.push_back(in_time("density", [&] {
     return distance_measure(
         "density", in_a, in_b,
         [](const auto& x, const auto& y) { return density_distance(x.states, y.states); },
