@@ -153,8 +153,9 @@ void judge_model(const IdentificationTask& task, std::optional<Dataset> held_out
   });
   if (validation && falls_short(*validation) && !is_map)
     run_unless_quick(task, found, kAdviceStage, [&] {
-      validation->advice = advice_for({found, data, task.pipeline, task.effects, white_noise(*noise)},
-                                      task.options.advice, context);
+      validation->advice =
+          advice_for({found, data, task.pipeline, task.effects, white_noise(*noise)},
+                     task.options.advice, context);
     });
   if (validation) take_in(*std::move(validation), data, found);
   if (!is_map)

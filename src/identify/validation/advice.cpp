@@ -133,9 +133,9 @@ std::vector<std::string> advice_for(const AdviceTask& asked_for, const AdviceOpt
   }
   if (advice.empty())
     advice.push_back(
-        "no function of states and inputs that these stages keep explains the residual: save the "
-        "model (--model-out) and give it to `lacuna diagnose`, which looks for delays, memory, inputs that nobody "
-        "measured and faults of sensors");
+        "no function of states and inputs that these stages keep explains the residual: save "
+        "the model (--model-out) and give it to `lacuna diagnose`, which looks for delays, "
+        "memory, inputs that nobody measured and faults of sensors");
   return advice;
 }
 
