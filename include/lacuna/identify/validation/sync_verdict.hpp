@@ -37,7 +37,7 @@ struct SyncVerdictOptions {
   void describe(OptionVisitor& visitor);
 };
 
-/// Whether any verdict on a synchronisation may be given: none where a limit left out a stage of it.
+/// Whether a verdict on a synchronisation may be given: not where a limit left out a stage.
 Admission admission_of(const SyncResult& result);
 
 /// Judges a synchronisation by the noise of the record: a slave of a complete model is off by
