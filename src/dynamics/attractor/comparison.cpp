@@ -101,7 +101,7 @@ AttractorMeasure compared(std::string name, std::string unit, const Estimate& a,
 Estimate exponent_of(const Blocks& blocks, const RunContext& context) {
   std::vector<double> exponents;
   for (const Trajectory& block : blocks)
-    exponents.push_back(rosenstein_divergence(block, context).exponent);
+    exponents.push_back(rosenstein_divergence(block, kDivergenceReferences, context).exponent);
   return estimate_of(exponents);
 }
 

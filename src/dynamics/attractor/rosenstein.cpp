@@ -110,8 +110,8 @@ Index end_of_growth(const Curve& curve, Index first) {
 
 }  // namespace
 
-Divergence rosenstein_divergence(const Trajectory& record, const RunContext& context,
-                                 Index references) {
+Divergence rosenstein_divergence(const Trajectory& record, Index references,
+                                 const RunContext& context) {
   const std::optional<double> step = uniform_step(record);
   if (!step || record.samples() < 3 || references < 1)
     throw ArgumentError("rosenstein_divergence", "the record is not sampled uniformly",

@@ -18,6 +18,9 @@ struct Divergence {
   Vector log_mean;  ///< mean(log d), states in units of their standard deviations
 };
 
+/// Enough for the exponent of an attractor that a record goes round a few dozen times.
+inline constexpr Index kDivergenceReferences = 2000;
+
 /// The largest Lyapunov exponent from a record of all states (Rosenstein, Collins, De Luca,
 /// Physica D 65:117-134, 1993): each sample's nearest neighbour at least one mean period away
 /// in time is followed along with it.
@@ -31,7 +34,8 @@ struct Divergence {
 /// does not move.
 /// The same when a sample or its square is not finite, or rows and times differ in number;
 ///   Cancelled, OutOfTime as RunContext::check_stop().
-Divergence rosenstein_divergence(const Trajectory& record, const RunContext& context = {},
-                                 Index references = 2000);
+Divergence rosenstein_divergence(const Trajectory& record,
+                                 Index references = kDivergenceReferences,
+                                 const RunContext& context = {});
 
 }  // namespace lacuna

@@ -17,7 +17,7 @@ namespace {
 Divergence divergence_of(const std::string& name, double h, Index n) {
   const TestSystem& system = test_system(name);
   const Dataset record = record_of(system.model, Dopri8{}, system.start, h, n);
-  return rosenstein_divergence(record.trajectories[0], {}, 500);
+  return rosenstein_divergence(record.trajectories[0], 500);
 }
 
 TEST(RosensteinDivergence, FindsTheKnownExponents) {
