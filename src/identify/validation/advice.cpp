@@ -84,29 +84,35 @@ Pipeline offering(const AdviceTask& asked_for, const std::string& state,
   return pipeline;
 }
 
-/// Whether the pipeline keeps the terms in an equation where it is offered them: what its pruner
-/// or its refiner takes out again is no advice.
-bool keeps(const AdviceTask& asked_for, Index k, const std::vector<std::string>& terms,
-           const RunContext& context) {
-  const std::string& state =
-      asked_for.result.model.states()[static_cast<std::size_t>(k)].name;
+/// What is asked for, without the forms that the pipeline does not keep where it is offered all of
+/// them: what its pruner or its refiner takes out again is no advice. Nothing where too little is
+/// left of it.
+std::optional<Asked> kept_by_pipeline(const AdviceTask& asked_for, const FormTask& task,
+                                      Asked asked, const RunContext& context) {
+  EquationForms& equation = asked.equation;
+  const Index k = equation.equation;
+  const Variables variables = task.model.variables();
+  std::vector<std::string> terms;
+  for (const MissingForm& form : equation.forms) terms.push_back(written(form, variables));
+  const std::string& state = task.model.states()[static_cast<std::size_t>(k)].name;
   const OdeModel found =
       identify(asked_for.data, offering(asked_for, state, terms), context.beside_others()).model;
   context.check_stop();
-  return std::all_of(terms.begin(), terms.end(), [&](const std::string& term) {
-    return found.coefficient(k, term) != 0.0;
+  std::erase_if(equation.forms, [&](const MissingForm& form) {
+    return found.coefficient(k, written(form, variables)) == 0.0;
   });
-}
-
-std::vector<std::string> written(const Asked& asked, const Variables& variables) {
-  std::vector<std::string> forms;
-  for (const MissingForm& form : asked.equation.forms)
-    forms.push_back(written(form, variables));
-  return forms;
+  if (equation.forms.empty()) return std::nullopt;
+  EquationForms bare = equation;
+  bare.forms.clear();
+  asked.left = std::sqrt(task.search.left(equation) / task.search.left(bare));
+  if (!(asked.left < task.options.most_residual)) return std::nullopt;
+  return asked;
 }
 
 std::string sentence_of(const Asked& asked, const OdeModel& model) {
-  const std::vector<std::string> forms = written(asked, model.variables());
+  std::vector<std::string> forms;
+  for (const MissingForm& form : asked.equation.forms)
+    forms.push_back(written(form, model.variables()));
   const std::string& state =
       model.states()[static_cast<std::size_t>(asked.equation.equation)].name;
   return "d" + state + "/dt: " + join(forms, " and ") + " beside its terms would leave " +
@@ -127,9 +133,9 @@ std::vector<std::string> advice_for(const AdviceTask& asked_for, const AdviceOpt
     context.report("asking what the residuals ask for",
                    static_cast<double>(k) / static_cast<double>(data.state_count()));
     if (data.rate_state(k)) continue;
-    const std::optional<Asked> asked = asked_by(task, k);
-    if (asked && keeps(asked_for, k, written(*asked, result.model.variables()), context))
-      advice.push_back(sentence_of(*asked, result.model));
+    std::optional<Asked> asked = asked_by(task, k);
+    if (asked) asked = kept_by_pipeline(asked_for, task, *std::move(asked), context);
+    if (asked) advice.push_back(sentence_of(*asked, result.model));
   }
   if (advice.empty())
     advice.push_back(

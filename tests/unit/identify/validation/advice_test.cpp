@@ -42,7 +42,7 @@ TEST(Advice, WhatThePipelineWouldTakeOutAgainIsNotAdvised) {
                                              Eigen::Vector2d(2.0, 0.0), 0.01, 3000),
                      pipeline);
   };
-  EXPECT_THAT(advice_with("0.5"), ElementsAre(HasSubstr("--add")));
+  EXPECT_THAT(advice_with("0.5"), ElementsAre(HasSubstr("--add \"sin(x/0.25)\"")));
   EXPECT_THAT(advice_with("0.05"), ElementsAre(HasSubstr("lacuna diagnose")));
 }
 
