@@ -135,17 +135,16 @@ bool are_counts(const Dataset& data, Index k) {
   return high - low >= kMany;
 }
 
-/// "give th in rad: 2*pi/4096 a count".
+/// The factor is known to some per cent: what is certain is that these are counts.
 Hint hint_for_counts(const Quantity& state, const Turn& turn, double factor) {
-  constexpr int kDigits = 4;  // more than a factor is known to
-  const std::string counts = std::to_string(std::llround(turn.size / factor));
+  constexpr int kDigits = 2;
   return {
       HintKind::ChannelUnit,
       state.name + " is whole numbers in the records and in " + state.unit +
-          " in the model, as counts of an encoder are; the records suggest that 1 count is " +
-          format_number(factor, kDigits) + " " + state.unit + ", about " + counts + " a turn",
+          " in the model, as counts of an encoder are, of which the records suggest about " +
+          format_number(turn.size / factor, kDigits) + " a turn",
       "give the column in " + state.unit + ": multiply " + state.name + " by " + turn.text +
-          "/" + counts,
+          "/N, N the counts of a turn",
       Withheld::Answer};
 }
 

@@ -50,7 +50,8 @@ double noise_of_samples(const BoundRecords& records, std::size_t k) {
   return known ? records.channels[k].noise.sigma : 0.0;
 }
 
-/// What the measurement noise alone makes: all of it, and without what of it has a memory.
+/// What the measurement noise alone makes: all of it, and without what of it has a memory, beside
+/// which the fit may leave nothing to the white noise that the samples show.
 struct NoiseFloors {
   double all = 0.0, white = 0.0;
 };
@@ -63,9 +64,10 @@ NoiseFloors noise_floors(const NoiseModel& noise, const Vector& scale,
     const double unit = scale[static_cast<Index>(k)];
     if (!noise.measurement[k] || unit == 0.0) continue;
     const double colour = noise.coloured[k] ? noise.coloured[k]->deviation : 0.0;
-    const double least = held_out.unexplained ? noise_of_samples(held_out.given, k) : 0.0;
+    const double shown = noise_of_samples(held_out.given, k);
+    const double least = held_out.unexplained ? shown : 0.0;
     sums.all += std::pow(std::max(std::hypot(noise.rounded(k), colour), least) / unit, 2);
-    sums.white += std::pow(std::max(noise.rounded(k), least) / unit, 2);
+    sums.white += std::pow(std::max(noise.rounded(k), shown) / unit, 2);
     count += 1.0;
   }
   return {std::min(std::sqrt(sums.all / count), held_out.known_floor),
