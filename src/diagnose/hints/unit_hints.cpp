@@ -137,12 +137,13 @@ bool are_counts(const Dataset& data, Index k) {
 
 /// The factor is known to some per cent: what is certain is that these are counts.
 Hint hint_for_counts(const Quantity& state, const Turn& turn, double factor) {
-  constexpr int kDigits = 2;
+  const double counts = turn.size / factor;
+  const double unit = std::pow(10.0, std::floor(std::log10(counts)) - 1.0);  // two digits
   return {
       HintKind::ChannelUnit,
       state.name + " is whole numbers in the records and in " + state.unit +
           " in the model, as counts of an encoder are, of which the records suggest about " +
-          format_number(turn.size / factor, kDigits) + " a turn",
+          std::to_string(std::llround(std::round(counts / unit) * unit)) + " a turn",
       "give the column in " + state.unit + ": multiply " + state.name + " by " + turn.text +
           "/N, N the counts of a turn",
       Withheld::Answer};
