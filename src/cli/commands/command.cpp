@@ -128,7 +128,7 @@ const std::map<std::string, Thoroughness>& efforts() {
 void declare_time_limit(CLI::App& app, RunOptions& options) {
   app.add_option("--time-limit", options.time_limit,
                  "Seconds after which the run ends with the answer that it has by then and names "
-                 "what was left out")
+                 "the stages left out")
       ->check(check_time_limit, "0.001 to 1e9", "time limit")
       ->type_name("S");
 }

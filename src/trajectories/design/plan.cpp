@@ -202,8 +202,8 @@ struct SafeDesign {
   double leaves = 0.0;
 };
 
-/// For what a design needs to be told of: a second beyond the deadline, which is what is
-/// promised of the end of a run.
+/// For the check of a design and its expected results: a second beyond the deadline, within which
+/// a run ends.
 RunContext with_grace(RunContext context) {
   constexpr std::chrono::seconds kGrace{1};
   if (context.deadline) *context.deadline += kGrace;

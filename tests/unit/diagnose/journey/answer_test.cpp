@@ -288,6 +288,8 @@ TEST_F(Answer, AModelWithoutDiscrepancyStaysAsItWas) {
 
 TEST_F(Answer, WhatExplainsHardlyAnythingStandsApart) {
   CompositeModel judged = composite("sign(v)");
+  for (const char* form : {"v*abs(v)", "q^3"})
+    judged.explanation.effects.push_back({support::plain_candidate(form), Vector(0), -0.1, 0.01});
   judged.named = {{.equation = 1, .name = "first", .gap_closed = 4e-4},
                   {.equation = 1, .name = "second", .gap_closed = 0.9},
                   {.equation = 1, .name = "third", .gap_closed = 2e-3}};
@@ -302,6 +304,7 @@ TEST_F(Answer, WhatExplainsHardlyAnythingStandsApart) {
   EXPECT_EQ(names(found.minor_effects), "first fourth ");
   judged.findings.clear();
   judged.named.resize(1);
+  judged.explanation.effects.resize(1);
   const Diagnosis alone = answer(judged);
   EXPECT_EQ(names(alone.effects), "first ") << "by itself it is the finding";
   EXPECT_TRUE(alone.minor_effects.empty());
