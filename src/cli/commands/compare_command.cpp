@@ -100,24 +100,24 @@ CompareAnswer answer(const Registry& registry, const CompareRequest& request,
   return compare_records(request, {.paths = {request.model.path}}, context);
 }
 
-Command declare_compare(CLI::App& root) {
+Command declare_compare() {
   auto options = std::make_shared<CompareArguments>();
-  CLI::App* app = root.add_subcommand(
-      "compare", "Compare a model with a record, or two records, as orbits of an attractor");
-  app->add_option("FIRST", options->model.path,
-                  "Model file, name of a test system, or a record")
-      ->required();
-  app->add_option("DATA", options->data.paths, "The other record")->required();
-  declare_column_options(*app, options->data, true);
-  app->add_option("--integrator", options->integrator, "Method; see `lacuna list integrator`")
-      ->type_name("NAME")
-      ->capture_default_str();
-  app->add_option("--json", options->json, "Write the result as JSON; - for standard output")
-      ->type_name(kFile);
-  declare_run_options(*app, options->run);
-  declare_time_limit(*app, options->run);
-  return {app,
-          [options](const Session& session) { return compare_command(session, *options); }};
+  Command command{"compare",
+                  "Compare a model with a record, or two records, as orbits of an attractor"};
+  command.add("FIRST", &options->model.path, "Model file, name of a test system, or a record")
+      .require();
+  command.add("DATA", &options->data.paths, "The other record").require();
+  declare_column_options(command, options->data, true);
+  command.add("--integrator NAME", &options->integrator, "Method; see `lacuna list integrator`")
+      .show_default();
+  command.add("--json FILE|-", &options->json,
+              "Write the result as JSON; - for standard output");
+  declare_run_options(command, options->run);
+  declare_time_limit(command, options->run);
+  command.run = [options](const Session& session) {
+    return compare_command(session, *options);
+  };
+  return command;
 }
 
 }  // namespace lacuna::cli

@@ -155,32 +155,30 @@ std::string failure_of(const SyncAnswer& answer) {
   return result.message + "; try " + stronger_coupling(answer.report.states, result.coupling);
 }
 
-Command declare_sync(CLI::App& root) {
+Command declare_sync() {
   auto options = std::make_shared<SyncArguments>();
-  CLI::App* app = root.add_subcommand(
-      "sync", "Drive a model with a record and measure how far from it the model stays");
-  app->add_option("MODEL", options->model.path, "Model file, or the name of a test system")
-      ->required();
-  app->add_option("DATA", options->data.paths, "Files (text, .gz, .npy) or quoted patterns")
-      ->required();
-  declare_column_options(*app, options->data, false);
-  app->add_option("--coupling", options->coupling,
-                  "Coupling of each named state, in 1/time unit [default: all states, from the "
-                  "record's own time scale]")
-      ->type_name("NAME=K,...");
-  app->add_option("--integrator", options->integrator, "Method")
-      ->type_name("NAME")
-      ->capture_default_str();
-  app->add_option("--differentiator", options->differentiator,
-                  "How states without a column are made from those that have one")
-      ->type_name("NAME")
-      ->capture_default_str();
-  app->add_option("--json", options->json, "Write the result as JSON; - for standard output")
-      ->type_name(kFile);
-  declare_report_options(*app, options->report);
-  declare_run_options(*app, options->run);
-  declare_time_limit(*app, options->run);
-  return {app, [options](const Session& session) { return sync_command(session, *options); }};
+  Command command{"sync",
+                  "Drive a model with a record and measure how far from it the model stays"};
+  command.add("MODEL", &options->model.path, "Model file, or the name of a test system")
+      .require();
+  command.add("DATA", &options->data.paths, "Files (text, .gz, .npy) or quoted patterns")
+      .require();
+  declare_column_options(command, options->data, false);
+  command.add("--coupling NAME=K,...", &options->coupling,
+              "Coupling of each named state, in 1/time unit [default: all states, from the "
+              "record's own time scale]");
+  command.add("--integrator NAME", &options->integrator, "Method").show_default();
+  command
+      .add("--differentiator NAME", &options->differentiator,
+           "How states without a column are made from those that have one")
+      .show_default();
+  command.add("--json FILE|-", &options->json,
+              "Write the result as JSON; - for standard output");
+  declare_report_options(command, options->report);
+  declare_run_options(command, options->run);
+  declare_time_limit(command, options->run);
+  command.run = [options](const Session& session) { return sync_command(session, *options); };
+  return command;
 }
 
 }  // namespace lacuna::cli

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Effects that oppose a motion.
+// Effects that oppose a motion, and effects on the size of a rate.
 #include <gtest/gtest.h>
 
 #include "lacuna/effects/families.hpp"
@@ -10,9 +10,13 @@ namespace {
 
 using Forms = std::set<std::string>;
 using support::candidate_of;
+using support::candidates_of;
 using support::forms_of;
+using support::model_of_lines;
 using support::oscillator_scope;
 using support::plausible_with;
+using support::reading_of;
+using support::scope_of;
 
 TEST(CoulombFriction, IsSharpOrSmooth) {
   EXPECT_EQ(forms_of<kCoulombFriction>(oscillator_scope(), 1),
@@ -84,6 +88,82 @@ TEST(StribeckFriction, MayReverseSmoothly) {
   ASSERT_EQ(candidate.shapes.size(), 3u);
   EXPECT_LT(candidate.shapes[2].high, candidate.shapes[1].high) << "the rise is still seen";
   for (const Vector& start : candidate.starts) EXPECT_EQ(start.size(), 3);
+}
+
+// Coefficients that are functions of something: of a temperature, of time; and radiation.
+/// A reaction whose rate may depend on a temperature; both are about 20 and swing by 1.
+Scope reaction() {
+  return scope_of(model_of_lines({{"c", {{"c", -0.1}, {"1", 0.1}}}, {"T", {{"T", -0.2}}}}, {}),
+                  20.0);
+}
+
+TEST(ExponentialRate, IsATermTimesAnExponentialOfAnotherVariable) {
+  EXPECT_EQ(forms_of<kExponentialRate>(reaction(), 0),
+            (Forms{"c*(exp((T-20)/scale)-1)", "c*(exp((20-T)/scale)-1)"}));
+  EXPECT_EQ(forms_of<kExponentialRate>(reaction(), 1),
+            (Forms{"T*(exp((c-20)/scale)-1)", "T*(exp((20-c)/scale)-1)"}));
+}
+
+TEST(ExponentialRate, ChangesByAFactorThatARateCanChangeBy) {
+  const Candidate rate =
+      candidate_of<kExponentialRate>(reaction(), 0, "c*(exp((T-20)/scale)-1)");
+  ASSERT_EQ(rate.shapes.size(), 1u);
+  EXPECT_NEAR(rate.shapes[0].low, 2.0 / 12.0, 1e-3);  // T goes from 19 to 21
+  EXPECT_NEAR(rate.shapes[0].high, 2.0 / 0.3, 1e-2);
+}
+
+TEST(ExponentialRate, IsReadFromItsOwnFormsOnly) {
+  const Scope scope = reaction();
+  const Candidate rate = candidate_of<kExponentialRate>(scope, 0, "c*(exp((T-20)/scale)-1)");
+  const auto reading = reading_of<kExponentialRate>(scope, rate, -0.1);
+  ASSERT_TRUE(reading);
+  EXPECT_EQ(reading->sentence, "rate c that changes exponentially with T");
+  Candidate other = rate;
+  other.form = parse_expression("c*(exp((T-20)/scale)-2)");
+  EXPECT_FALSE(reading_of<kExponentialRate>(scope, other, -0.1));
+}
+
+TEST(PeriodicParameter, IsATermTimesATone) {
+  Scope scope = reaction();
+  EXPECT_EQ(forms_of<kPeriodicParameter>(scope, 0), Forms{});
+  scope.modulations = {{{0, 0.5, 0.2}, parse_expression("c")},
+                       {{0, 0.01, 0.2}, parse_expression("c")}};  // less than half a period
+  const auto swinging = candidates_of<kPeriodicParameter>(scope, 0);
+  ASSERT_EQ(swinging.size(), 1u);
+  EXPECT_EQ(swinging[0].starts[0], (Vector{{0.5, 0.2}}));
+  const auto reading = reading_of<kPeriodicParameter>(scope, swinging[0], 0.3);
+  ASSERT_TRUE(reading);
+  EXPECT_EQ(reading->sentence, "coefficient of c that swings with one frequency");
+  EXPECT_FALSE(reading_of<kPeriodicForcing>(scope, swinging[0], 0.3));
+  EXPECT_EQ(forms_of<kPeriodicParameter>(scope, 1), Forms{});
+}
+
+TEST(Radiation, IsALossOfWhatStaysOnOneSideOfZero) {
+  EXPECT_EQ(forms_of<kRadiation>(reaction(), 1), Forms{"(T+zero)^4"});
+  const Scope mirrored = scope_of(model_of_lines({{"T", {{"T", -0.2}}}}, {}), -20.0);
+  EXPECT_EQ(forms_of<kRadiation>(mirrored, 0), Forms{"(zero-T)^4"});
+  EXPECT_EQ(forms_of<kRadiation>(oscillator_scope(), 1), Forms{});
+  const Scope pushed = scope_of(model_of_lines({{"T", {{"u", 1.0}}}}, {"u"}), 20.0);
+  EXPECT_EQ(forms_of<kRadiation>(pushed, 0), Forms{}) << "nothing is lost in proportion";
+}
+
+TEST(Radiation, TakesAwayAndHasAZero) {
+  const Scope scope = reaction();
+  const Candidate loss = candidate_of<kRadiation>(scope, 1, "(T+zero)^4");
+  const Vector near = Vector::Constant(1, 10.0);
+  EXPECT_TRUE(reading_of<kRadiation>(scope, loss, -1e-9, near));
+  EXPECT_FALSE(reading_of<kRadiation>(scope, loss, 1e-9, near));
+  EXPECT_FALSE(reading_of<kRadiation>(scope, loss, -1e-9,
+                                      Vector::Constant(1, loss.shapes[0].high)));
+}
+
+TEST(ExponentialConduction, WithTheWidestScaleIsAQuadraticTerm) {
+  const Scope scope = reaction();
+  const Candidate junction =
+      candidate_of<kExponentialConduction>(scope, 1, "exp(T/scale)-1");
+  EXPECT_TRUE(reading_of<kExponentialConduction>(scope, junction, -1.0, Vector::Ones(1)));
+  EXPECT_FALSE(reading_of<kExponentialConduction>(
+      scope, junction, -1.0, Vector::Constant(1, junction.shapes[0].high)));
 }
 
 }  // namespace

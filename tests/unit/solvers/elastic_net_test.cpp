@@ -86,11 +86,5 @@ TEST(ElasticNet, AdaptivePenaltiesFindWhatTheLassoCannot) {
   EXPECT_LE(by_lasso, 24) << "which has the right terms only where the fourth changes its sign";
 }
 
-TEST(ElasticNet, LeavesNothingOfATargetOfZeros) {
-  const LeastSquaresSystem system(make_row_source(Matrix::Ones(5, 1), Matrix::Zero(5, 1)),
-                                  {"1"}, {"y"});
-  EXPECT_TRUE(ElasticNet().fit(system, system.subproblem(0, {0})).active.empty());
-}
-
 }  // namespace
 }  // namespace lacuna

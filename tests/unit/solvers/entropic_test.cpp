@@ -3,8 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include "lacuna/bases/monomials.hpp"
-#include "lacuna/core/base/error.hpp"
 #include "lacuna/solvers/frols.hpp"
 #include "lacuna/solvers/stlsq.hpp"
 #include "support/sparse_problem.hpp"
@@ -106,12 +104,6 @@ TEST(Entropic, TakesOneOfEqualTermsAndNoMoreThanAllowed) {
   rows.theta.col(2) = rows.theta.col(1);
   rows.y += rows.theta.col(1);
   EXPECT_EQ(fitted(Entropic(), rows.system()).active.size(), 1u);
-}
-
-TEST(Entropic, LeavesNothingOfATargetOfZeros) {
-  const LeastSquaresSystem system(make_row_source(Matrix::Ones(5, 1), Matrix::Zero(5, 1)), {"1"},
-                                  {"y"});
-  EXPECT_TRUE(fitted(Entropic(), system).active.empty());
 }
 
 }  // namespace

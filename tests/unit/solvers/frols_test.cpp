@@ -60,11 +60,5 @@ TEST(Frols, TakesNoMoreTermsThanAllowed) {
   EXPECT_EQ(fit.active, (TermSet{1}));
 }
 
-TEST(Frols, LeavesNothingOfATargetOfZeros) {
-  const LeastSquaresSystem system(make_row_source(Matrix::Ones(5, 1), Matrix::Zero(5, 1)),
-                                  {"1"}, {"y"});
-  EXPECT_TRUE(Frols().fit(system, system.subproblem(0, {0})).active.empty());
-}
-
 }  // namespace
 }  // namespace lacuna

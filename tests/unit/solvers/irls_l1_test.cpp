@@ -9,7 +9,6 @@
 #include "lacuna/solvers/l1/l1_coordinate_descent.hpp"
 #include "lacuna/solvers/l1/l1_nlopt.hpp"
 #include "support/sparse_problem.hpp"
-#include "support/stage_invariance.hpp"
 
 namespace lacuna {
 namespace {
@@ -113,24 +112,6 @@ TEST(IrlsL1, PaperPenaltyIsRaw) {
                                            .tolerances = IrlsL1Options::Tolerances::Paper,
                                            .delta = 1.0});
   EXPECT_NEAR(fit.coefficients[0], 2.0 - 0.8 / 8.0, 1e-12);
-}
-
-TEST(IrlsL1, DoesNotDependOnHowDataAreWritten) {
-  const auto& data = testing::rossler_10000();
-  const Matrix states = data.states.topRows(2000);
-  const Matrix noisy = testing::with_noise(data.derivatives.topRows(2000), 0.01, 3);
-  const IrlsL1 regressor({.inner = CoordinateDescent(), .alpha = 1e-3});
-  const auto fit_of = [&](const testing::Rewriting& r) {
-    const auto system = testing::rewritten(states, noisy, 2, r);
-    const Index target = testing::new_target(1, r);
-    const Regression fit = regressor.fit(system, system.subproblem(target, system.all_terms()));
-    return testing::fractions(system, target, fit.active, fit.coefficients, r);
-  };
-  ASSERT_FALSE(testing::rewritings().empty());
-  for (const auto& r : testing::rewritings()) {
-    SCOPED_TRACE(r.name);
-    testing::expect_same_fractions(fit_of({"same"}), fit_of(r), 1e-6);
-  }
 }
 
 }  // namespace

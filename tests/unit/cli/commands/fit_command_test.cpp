@@ -315,9 +315,8 @@ TEST(FitCommand, TheFirstAnswerStaysWhereTheRestIsInterrupted) {
                              .streams = {out, err},
                              .stop = stop.get_token(),
                              .begin = {}};  // long ago: the run takes longer than a moment
-  CLI::App root;
-  const cli::Command command = cli::declare_fit(root);
-  root.parse("fit \"" + model + "\" \"" + records.oscillator() + "\" --progress always");
+  const cli::Command command = cli::declare_fit();
+  cli::parse({&command, 1}, {"fit", model, records.oscillator(), "--progress", "always"});
   EXPECT_THROW(command.run(session), Cancelled);
   EXPECT_THAT(screen.str(), HasSubstr("First answer, from the given start"));
   EXPECT_THAT(screen.str(), HasSubstr("c "));

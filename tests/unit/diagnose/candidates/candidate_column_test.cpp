@@ -54,14 +54,6 @@ TEST(CandidateColumn, LinearMemoryIsWhatItIsStepByStep) {
   EXPECT_LT((linear - stepwise).cwiseAbs().maxCoeff(), 1e-12);
 }
 
-TEST(CandidateColumn, StiffMemoryStaysStable) {
-  const std::vector<double> tau{1e-4};
-  const LinearisedRecord record = step_record();
-  const Matrix memory = memory_along(lag(1e-4), tau, support::oscillator().variables(), record);
-  EXPECT_TRUE(memory.allFinite());
-  EXPECT_NEAR(memory(100, 0), 1.0, 1e-9);
-}
-
 TEST(CandidateColumn, FormsThatAreNotFiniteAreNoCandidates) {
   const Dataset data = support::hidden_record(support::nothing, 0.01);
   const Assimilation fit = support::assimilated(data);
@@ -95,16 +87,6 @@ TEST(CandidateColumn, APlayThatNeverMovesIsNeverKnown) {
   const Variables variables = support::oscillator().variables();
   EXPECT_FALSE(known_from(play, wide, variables, step_record()));
   EXPECT_LT(known_from(play, narrow, variables, step_record()).value(), 10.0);
-}
-
-TEST(CandidateColumn, NothingActsBeforeADelayIsKnown) {
-  const Dataset data = support::hidden_record(support::nothing, 0.01);
-  const Assimilation fit = support::assimilated(data);
-  const InnovationSystem system(fit);
-  const auto column = candidate_column(support::plain_candidate("delay(q,6)"), {}, fit, system);
-  ASSERT_TRUE(column.has_value());
-  EXPECT_EQ(column->head(500).norm(), 0.0);
-  EXPECT_GT(column->norm(), 0.0);
 }
 
 TEST(CandidateColumn, MemoryOfWhatIsDelayedFollowsLater) {

@@ -27,12 +27,6 @@ struct Asked {
   }
 };
 
-TEST(FitKey, IsTheSameForTheSameFit) {
-  const Asked asked;
-  Asked again;
-  EXPECT_EQ(asked.key(), again.key());
-}
-
 TEST(FitKey, TellsWhateverDecides) {
   const std::vector<std::function<void(Asked&)>> changes{
       [](Asked&) {},
@@ -94,14 +88,6 @@ std::pair<double, bool> asked_for(FitMemory& memory, const std::string& key, dou
   return {found.fit.deviance, fitted};
 }
 
-TEST(FitMemory, FitsOnceForEachKey) {
-  FitMemory memory;
-  EXPECT_EQ(asked_for(memory, "a", 1.0), std::pair(1.0, true));
-  EXPECT_EQ(asked_for(memory, "b", 2.0), std::pair(2.0, true));
-  EXPECT_EQ(asked_for(memory, "a", 3.0), std::pair(1.0, false));
-  EXPECT_EQ(asked_for(memory, "b", 4.0), std::pair(2.0, false));
-}
-
 TEST(FitMemory, KeepsWhatThereIsRoomFor) {
   FitMemory memory(10 * FitMemory::kFewest + 5);
   for (Index i = 0; i <= FitMemory::kFewest; ++i) asked_for(memory, std::to_string(i), 1.0);
@@ -110,24 +96,10 @@ TEST(FitMemory, KeepsWhatThereIsRoomFor) {
   EXPECT_EQ(asked_for(memory, std::to_string(FitMemory::kFewest), 2.0), std::pair(2.0, true));
 }
 
-TEST(FitMemory, KeepsNothingOfWhichThereIsRoomForAFew) {
-  FitMemory memory(10 * FitMemory::kFewest - 1);
-  asked_for(memory, "a", 1.0);
-  EXPECT_EQ(asked_for(memory, "a", 2.0), std::pair(2.0, true));
-}
-
 TEST(FitMemory, AFitThatFailsIsNotKept) {
   FitMemory memory;
   EXPECT_THROW(memory.explanation("a", []() -> Explanation { throw Cancelled(); }), Cancelled);
   EXPECT_TRUE(asked_for(memory, "a", 1.0).second);
-}
-
-TEST(FitMemory, ManyMayAsk) {
-  FitMemory memory;
-  parallel_for(400, 4, [&](std::size_t i) {
-    const auto number = static_cast<double>(i % 7);
-    EXPECT_EQ(asked_for(memory, std::to_string(i % 7), number).first, number);
-  });
 }
 
 }  // namespace

@@ -1,25 +1,15 @@
 // SPDX-License-Identifier: MIT
-#include "diagnose/candidates/screening.hpp"
-
+// Candidates that are screened, and the names of what is fitted.
 #include <gtest/gtest.h>
 
+#include "diagnose/candidates/name_table.hpp"
+#include "diagnose/candidates/screening.hpp"
+#include "lacuna/effects/families.hpp"
 #include "support/assimilated_oscillator.hpp"
+#include "support/effect_forms.hpp"
 
 namespace lacuna {
 namespace {
-
-TEST(Screening, TheHiddenTermGainsMost) {
-  const Assimilation fit =
-      support::assimilated(support::hidden_record(support::dry_friction, 0.01));
-  const Screening screening(fit);
-  const auto found =
-      screen({support::plain_candidate("q^3"), support::plain_candidate("sign(v)"),
-              support::plain_candidate("v^3"), support::plain_candidate("1")},
-             screening, ScreeningOptions{}, RunContext{});
-  EXPECT_EQ(found.front().candidate.form, parse_expression("sign(v)"));
-  EXPECT_NEAR(found.front().coefficient, -0.3, 0.03);
-  EXPECT_GT(found.front().gain, 50.0);
-}
 
 TEST(Screening, WhatIsKnownIsNotScreenedAgain) {
   const Assimilation fit =
@@ -50,26 +40,6 @@ TEST(Screening, WhatIsKnownIsNotScreenedAgain) {
   for (std::size_t i = 0; i < apart.size(); ++i) expect_same(apart[i], alone[i]);
 }
 
-TEST(ScreeningMemory, GivesWhatItKept) {
-  ScreeningMemory memory;
-  ScreenedCandidate one{support::plain_candidate("1"), Vector(0), 0.0, 0.0, 0};
-  EXPECT_FALSE(memory.recall("a", one));
-  memory.keep("a", {one.candidate, Vector::Constant(1, 2.0), 3.0, 4.0, 5});
-  EXPECT_FALSE(memory.recall("b", one));
-  ASSERT_TRUE(memory.recall("a", one));
-  EXPECT_EQ(one.shapes, Vector::Constant(1, 2.0));
-  EXPECT_EQ(one.coefficient, 3.0);
-  EXPECT_EQ(one.gain, 4.0);
-  EXPECT_EQ(one.tried, 5);
-}
-
-TEST(Screening, NominalTermsGainNothing) {
-  const Assimilation fit =
-      support::assimilated(support::hidden_record(support::dry_friction, 0.01));
-  const Screening screening(fit);
-  EXPECT_LT(screening.score(support::plain_candidate("2*v"), {}).gain, 1e-3);
-}
-
 TEST(Screening, ScoresOfACompleteModelAreChiSquared) {
   const Assimilation fit = support::assimilated(support::hidden_record(support::nothing, 0.01));
   const Screening screening(fit);
@@ -77,15 +47,30 @@ TEST(Screening, ScoresOfACompleteModelAreChiSquared) {
     EXPECT_LT(screening.score(support::plain_candidate(form), {}).gain, 12.0) << form;
 }
 
-TEST(Screening, SearchesShapes) {
-  const Assimilation fit = support::assimilated(support::hidden_record(
-      [](double, double q, double) { return -3.0 * std::min(q + 0.2, 0.0); }, 0.005));
-  const Screening screening(fit);
-  ScreenedCandidate found = screening.at_starts(support::stop_candidate(0.1));
-  const double before = found.gain;
-  screening.polish(found);
-  EXPECT_GT(found.gain, before);
-  EXPECT_NEAR(found.shapes[0], -0.2, 0.1);
+/// Two bends between an arm and its drive, of which the nominal model has the slope 60.
+struct Bends {
+  Scope scope = support::scope_of(support::model_of_lines(
+      {{"q", {{"v", 1.0}}}, {"v", {{"q", -60.0}, {"u", 60.0}}}}, {"u"}));
+  NamingOptions options;
+
+  std::vector<std::string> names(double coefficient,
+                                 const std::vector<Stage<Effect>>& effects) const {
+    const FittedEffect fitted{
+        support::candidate_of<kPiecewiseLinear>(scope, 1, "clip(q-u,-edge,edge)"),
+        Vector::Constant(1, 0.3), coefficient, 0.1};
+    std::vector<std::string> result;
+    for (const Name& name : NameTable{effects, scope, options}.names_of(fitted, scope.model))
+      result.push_back(name.name);
+    return result;
+  }
+};
+
+TEST(NameTable, NamesFollowFromTheFittedNumbers) {
+  const Bends bends;
+  const std::vector<Stage<Effect>> effects{FamilyEffect<kDeadZone>(),
+                                           FamilyEffect<kPiecewiseLinear>()};
+  EXPECT_EQ(bends.names(30.0, effects), std::vector<std::string>{"piecewise-linear"});
+  EXPECT_EQ(bends.names(60.0, effects), std::vector<std::string>{"dead-zone"});
 }
 
 }  // namespace

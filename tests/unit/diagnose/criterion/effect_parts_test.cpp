@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "diagnose/criterion/effect_parts.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 
+#include "diagnose/criterion/effect_parts.hpp"
+#include "diagnose/criterion/shape_bounds.hpp"
 #include "lacuna/trajectories/smoother/disturbance_test.hpp"
 #include "support/assimilated_oscillator.hpp"
 
@@ -13,17 +13,6 @@ namespace {
 
 Matrix gram_of(const Matrix& parts) {
   return parts.transpose() * parts / static_cast<double>(parts.rows());
-}
-
-TEST(EffectParts, OfWhichLittleIsLeftCancel) {
-  Matrix parts(4, 3);
-  parts << 1.0, -0.9, 5.0,  //
-      -1.0, 0.9, 5.0,       //
-      1.0, -0.9, -5.0,      //
-      -1.0, 0.9, -5.0;
-  const Cancellation found = largest_cancellation({{"a", "b", "c"}, 1, gram_of(parts)});
-  EXPECT_NEAR(found.left, 0.1, 1e-12);
-  EXPECT_EQ(found.terms, (std::vector<std::string>{"a", "b"}));
 }
 
 TEST(EffectParts, ThreeMayCancelThoughNoTwoDo) {
@@ -40,25 +29,6 @@ TEST(EffectParts, AnEffectHasToBeAmongThem) {
   const Cancellation found = largest_cancellation({{"a", "b", "c"}, 1, gram_of(parts)});
   EXPECT_GT(found.left, 0.3) << "what two nominal terms do to each other is no effect's";
   EXPECT_EQ(largest_cancellation({{"a"}, 1, Matrix::Ones(1, 1)}).left, 1.0);
-}
-
-TEST(EffectParts, AreTheEffectsAndWhatTheCoefficientsChangedBy) {
-  const Dataset data = support::hidden_record(support::dry_friction, 0.001, 3);
-  const Assimilation base = support::assimilated(data);
-  const FittedEffect effect{support::plain_candidate("v^2"), Vector(0), 0.5};
-  const AddedParts parts = added_parts({{effect}, base}, support::oscillator(), 1);
-  ASSERT_EQ(parts.terms.front(), "v^2");
-  EXPECT_EQ(parts.effects, 1);
-  EXPECT_EQ(parts.terms.size(), 1 + support::oscillator().equations()[1].size());
-  const auto v = base.records[0].slots.col(1).array();
-  EXPECT_NEAR(parts.gram(0, 0), 0.25 * v.pow(4).mean(), 1e-9);
-  const double more =
-      base.model.coefficient(1, "q") - support::oscillator().coefficient(1, "q");
-  const auto q = base.records[0].slots.col(0).array();
-  const auto place = std::find(parts.terms.begin(), parts.terms.end(), "the change of q");
-  ASSERT_NE(place, parts.terms.end());
-  const Index j = place - parts.terms.begin();
-  EXPECT_NEAR(parts.gram(j, j), more * more * q.square().mean(), 1e-9);
 }
 
 TEST(EffectParts, CoefficientsMoveOutOfScale) {
@@ -110,9 +80,45 @@ TEST(EffectParts, ActWhereTheyAreMoreThanNothing) {
   EXPECT_LT(expected, 0.9);
 }
 
-TEST(EffectParts, TermsHaveTheDigitsThatPeopleRead) {
-  Candidate stop = support::stop_candidate(0.25);
-  EXPECT_EQ(readable_term({stop, Vector::Constant(1, 0.12345678901), 1.0}), "min(q-0.1235,0)");
+FittedEffect stop_at(double edge) {
+  return {support::stop_candidate(0.0), Vector::Constant(1, edge), -3.0, 0.01};
+}
+
+/// A lag whose time constant may be between 0.1 and 10.
+FittedEffect lag_of(double tau) {
+  Candidate candidate;
+  candidate.form = parse_expression("slow-v");
+  candidate.shapes = {{"tau", "s", 0.1, 10.0, true}, {"fraction", "", 0.05, 0.95, false}};
+  candidate.memory = {
+      {"slow", parse_expression("(fraction*v-slow)/tau"), parse_expression("v")}};
+  return {candidate, Vector{{tau, 0.05}}, 1.0, 0.01};
+}
+
+/// A channel that is sampled late, by at most 0.4 s.
+FittedEffect skew_of(double skew) {
+  Candidate candidate;
+  candidate.form = parse_expression("v+skew/2*a");
+  candidate.shapes = {{"skew", "s", -0.4, 0.4, false}, {"edge", "m", 0.0, 1.0, false}};
+  candidate.place = Place::Channel;
+  return {candidate, Vector{{skew, 0.0}}, 1.0, 0.01};
+}
+
+TEST(ShapeBounds, ATimeThatTheRecordsDoNotShowIsOnABound) {
+  EXPECT_FALSE(time_on_bound(lag_of(1.0), "s").has_value()) << "the fraction is no time";
+  EXPECT_EQ(time_on_bound(lag_of(0.1), "s"), 0.1);
+  EXPECT_EQ(time_on_bound(lag_of(10.0), "s"), 10.0);
+  EXPECT_FALSE(time_on_bound(stop_at(0.0), "s").has_value()) << "an edge is no time";
+  EXPECT_EQ(time_on_bound(skew_of(-0.4), "s"), -0.4);
+  EXPECT_FALSE(time_on_bound(skew_of(0.1), "s").has_value());
+}
+
+TEST(ShapeBounds, ARangeEndsWhereASearchResolvesNoMore) {
+  const ShapeParameter shape{"tau", "s", 0.1, 10.0, true};
+  EXPECT_TRUE(is_on_bound(shape, 0.1005));
+  EXPECT_FALSE(is_on_bound(shape, 0.102));
+  EXPECT_TRUE(is_on_bound(shape, 9.995));
+  EXPECT_FALSE(is_on_bound(shape, 9.9));
+  EXPECT_TRUE(is_on_bound({"edge", "m", 0.0, 1.0, false}, 0.0009)) << "a thousandth of the range";
 }
 
 }  // namespace

@@ -5,7 +5,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
 
 #include "core/base/random.hpp"
 #include "lacuna/model/files/ode_text.hpp"
@@ -28,8 +27,6 @@ std::vector<HintKind> kinds_of(const Dataset& data) {
 }
 
 Dataset good() { return support::hidden_record(support::nothing, 0.01); }
-
-TEST(MotionHints, SayNothingOfAGoodRecord) { EXPECT_TRUE(kinds_of(good()).empty()); }
 
 TEST(MotionHints, TellAnInputThatFollowsTheStates) {
   Dataset data = good();
@@ -114,14 +111,6 @@ TEST(MotionHints, OneWayToARestTellsNoStructure) {
   data = good();
   data.trajectories[0].inputs.setConstant(0.7);
   EXPECT_EQ(withheld_by(hints_of(data)), Withheld::Nothing) << "many periods";
-}
-
-TEST(StepsInPeriod, AreThoseOfASineWithNoise) {
-  Dataset data = support::oscillator_record();  // q = sin 2t in steps of 0.01
-  EXPECT_NEAR(steps_in_period(data, 0, 0.0), 100.0 * std::numbers::pi, 8.0);
-  Random random(2);
-  for (double& q : data.trajectories[0].states.col(0)) q += 0.02 * random.normal();
-  EXPECT_NEAR(steps_in_period(data, 0, 0.02), 100.0 * std::numbers::pi, 60.0);
 }
 
 /// An armature, L di/dt = u - R i - K w with L/R of 2 ms, and what it turns, under a slow sine.

@@ -36,17 +36,6 @@ TEST(WindowRates, AreTheWeightedMeansOfTheRate) {
   EXPECT_LT((rates.col(0) - means).norm(), 1e-5 * means.norm());
 }
 
-TEST(WindowRates, OfAModelAreThoseOfItsRecord) {
-  const Dataset data = hidden_record(nothing, 0.0);
-  const RateWindows windows = rate_windows(observed(data));
-  const Matrix measured = window_rates(data, windows);
-  const Matrix modelled = model_rates(support::oscillator(), data, windows);
-  EXPECT_LT((measured - modelled).norm(), 1e-4 * measured.norm());
-  const Matrix terms = term_means(support::oscillator(), 1, data, windows);
-  EXPECT_LT((terms * Vector{{-4.0, -0.2, 1.0}} - modelled.col(1)).norm(),
-            1e-12 * modelled.norm());
-}
-
 TEST(RateWindows, AreLongerWhereThereIsMoreNoise) {
   const RateWindows quiet = rate_windows(observed(hidden_record(nothing, 1e-4)));
   const RateWindows loud = rate_windows(observed(hidden_record(nothing, 0.05)));

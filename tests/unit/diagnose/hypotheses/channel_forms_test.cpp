@@ -30,21 +30,6 @@ void expect_name(const Candidate& form, double coefficient, const std::string& n
   EXPECT_NE(said.sentence.find(words), std::string::npos) << said.sentence;
 }
 
-TEST(ChannelForms, StandInTheChannelAndCanBeStarted) {
-  const Scope scope = support::oscillator_scope();
-  ASSERT_FALSE(channel_forms(scope, 1).empty());
-  for (const Candidate& form : channel_forms(scope, 1)) {
-    EXPECT_EQ(form.place, Place::Channel);
-    EXPECT_EQ(form.equation, 1);
-    ASSERT_FALSE(form.starts.empty());
-    for (const Vector& start : form.starts)
-      for (std::size_t s = 0; s < form.shapes.size(); ++s) {
-        EXPECT_GE(start[static_cast<Index>(s)], form.shapes[s].low) << form.form.to_string();
-        EXPECT_LE(start[static_cast<Index>(s)], form.shapes[s].high) << form.form.to_string();
-      }
-  }
-}
-
 TEST(ChannelForms, HaveNamesAndSentences) {
   const Scope scope = support::oscillator_scope();
   expect_name(form_of("v", scope), 0.03, "sensor-gain", "3 % too much");
@@ -88,29 +73,6 @@ TEST(ChannelForms, AToneOfTheResidualsMayBeAHum) {
   EXPECT_EQ(hum.equation, 1) << "wherever the line was seen";
   EXPECT_FALSE(is_whole(hum));
   expect_name(hum, 0.02, "sensor-offset", "a hum of 0.02 m/s, 5 per s", 5.0);
-}
-
-TEST(ChannelForms, AFilterAndAnEndStandForTheWholeState) {
-  const Scope scope = support::oscillator_scope();
-  EXPECT_TRUE(is_whole(form_of("behind-v", scope)));
-  EXPECT_TRUE(is_whole(form_of("end*tanh(v/end)-v", scope)));
-  EXPECT_FALSE(is_whole(form_of("v^3", scope)));
-  EXPECT_FALSE(is_whole(form_of("q", scope)));
-}
-
-TEST(ChannelForms, ADriftBeginsWithTheRecord) {
-  Scope scope = support::oscillator_scope();
-  scope.start = 100.0;
-  EXPECT_EQ(channel_forms(scope, 0)[2].form.to_string(), "t-100");
-}
-
-TEST(ChannelForms, AFilterShowsWhatIsBehindIt) {
-  const Scope scope = support::oscillator_scope();
-  const Candidate lag = form_of("behind-q", scope, 0);
-  ASSERT_EQ(lag.memory.size(), 1u);
-  EXPECT_EQ(lag.memory[0].start.to_string(), scope.state(0).name);
-  EXPECT_LE(lag.shapes[0].low, 0.34 * scope.step);
-  EXPECT_EQ(lag.shapes[0].high, scope.state(0).timescale);
 }
 
 }  // namespace

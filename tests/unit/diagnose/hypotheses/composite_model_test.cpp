@@ -1,16 +1,26 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/diagnose/hypotheses/composite_model.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "lacuna/diagnose/criterion/extended_bic.hpp"
+#include "lacuna/diagnose/hypotheses/composite_model.hpp"
 #include "support/asked.hpp"
 #include "support/assimilated_oscillator.hpp"
 
 namespace lacuna {
 namespace {
+
+TEST(Baseline, OutliersAreLeftOutAndNoted) {
+  Dataset data = support::hidden_record(support::nothing, 0.01);
+  data.trajectories[0].states(700, 0) += 5.0;
+  const support::Asked asked{.records = observed(data)};
+  const auto base = asked.baseline();
+  ASSERT_FALSE(base->notes.empty());
+  EXPECT_EQ(base->notes[0], "1 outlier of q was left out");
+  EXPECT_EQ(base->fitted.used, 2 * 1501 - 1);
+  EXPECT_NEAR(*base->fitted.noise.measurement[0], 0.01, 0.001) << "5 is no noise";
+}
 
 /// A composite model of nothing, with an effect that has one shape.
 CompositeModel made_by_hand() {
@@ -38,33 +48,6 @@ TEST(CompositeModel, EvidenceCountsEveryParameterAndEveryChoice) {
                    100.0 + 8.0 * std::log(50.0) + 2.0 * std::log(20.0));
 }
 
-TEST(CompositeModel, StructureIsSubstantialFromBothThresholdsOn) {
-  const EquationStructure structure{.sigma = 3.5, .relative = 0.01};
-  DecisionOptions decision;
-  EXPECT_TRUE(is_substantial(structure, decision));
-  decision.significance = 3.5;
-  decision.effect_size = 0.01;
-  EXPECT_TRUE(is_substantial(structure, decision)) << "on the thresholds";
-  decision.significance = 3.6;
-  EXPECT_FALSE(is_substantial(structure, decision));
-  decision = {.effect_size = 0.011};
-  EXPECT_FALSE(is_substantial(structure, decision));
-  CompositeModel composite = made_by_hand();
-  composite.left = {{.sigma = 1.0, .relative = 1.0}, structure};
-  EXPECT_TRUE(leaves_structure(composite, {})) << "one equation is enough";
-  EXPECT_FALSE(leaves_structure(composite, decision));
-}
-
-TEST(CompositeModel, TheBareOneIsTheBaselineWithWhatItLeaves) {
-  const support::Asked asked = support::asked(support::ripple);
-  const CompositeModel bare = asked.bare();
-  EXPECT_TRUE(bare.named.empty() && bare.explanation.effects.empty());
-  EXPECT_EQ(bare.explanation.fit.deviance, bare.base->fitted.deviance);
-  EXPECT_TRUE(leaves_structure(bare, asked.options.decision));
-  EXPECT_EQ(evidence_of(bare).parameters, 3.0) << "q, v and F";
-  EXPECT_FALSE(leaves_structure(support::asked(support::nothing).bare(), {}));
-}
-
 TEST(CompositeModel, MostIsTheFractionOfTheVarianceThatIsAsked) {
   support::Asked asked = support::asked(support::ripple);
   CompositeModel composite = asked.bare();
@@ -76,21 +59,6 @@ TEST(CompositeModel, MostIsTheFractionOfTheVarianceThatIsAsked) {
   EXPECT_FALSE(closes_most(composite, asked.problem()));
   asked.options.decision.minor = 1.1;
   EXPECT_TRUE(closes_most(composite, asked.problem())) << "the gap in windows is as it was";
-}
-
-TEST(CompositeModel, NumbersOfTheFitComeIntoTheNames) {
-  FittedEffect effect{support::stop_candidate(0.0), Vector::Constant(1, 0.25), -2.0, 0.125,
-                      Vector::Constant(1, 0.5)};
-  std::vector<NamedEffect> named = {{.parameters = {{"edge", "m", 0.0, {}}}}};
-  update_numbers({{effect}, {.model = support::oscillator()}}, named);
-  EXPECT_EQ(named[0].term, "min(q-0.25,0)");
-  EXPECT_EQ(named[0].coefficient, -2.0);
-  EXPECT_EQ(named[0].deviation, 0.125);
-  EXPECT_EQ(named[0].parameters[0].value, 0.25);
-  EXPECT_EQ(named[0].parameters[0].deviation, 0.5);
-  effect.shape_deviations[0] = 0.0;
-  update_numbers({{effect}, {.model = support::oscillator()}}, named);
-  EXPECT_FALSE(named[0].parameters[0].deviation) << "at an end of its range";
 }
 
 }  // namespace

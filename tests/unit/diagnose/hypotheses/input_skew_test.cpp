@@ -4,7 +4,6 @@
 
 #include <cmath>
 
-#include "cli/configuration/diagnosis_configuration.hpp"
 #include "core/base/random.hpp"
 #include "diagnose/hypotheses/sensor_fault.hpp"
 #include "lacuna/diagnose/journey/diagnose.hpp"
@@ -117,25 +116,6 @@ TEST(InputSkew, HeldInputsAreLateByWholeSteps) {
   EXPECT_NEAR(composite.findings.at(0).parameters.at(0).value, 0.06, 1e-9);
   const Vector moved = composite.base->correct(data).trajectories[0].inputs.col(0);
   EXPECT_EQ(moved.head(n), record.inputs.col(0).tail(n));
-}
-
-TEST(InputSkew, IsToldBesideAnEffect) {
-  const Dataset data = late_force(support::hidden_record(support::dry_friction, 5e-3), 0.03);
-  const Dataset other =
-      late_force(support::hidden_record(support::dry_friction, 5e-3, 4, -0.7), 0.03);
-  Configuration configuration;
-  configuration.set(
-      "effects=[\"coulomb-friction\",\"delay\",\"linear-term\",\"quadratic-drag\"]");
-  const Diagnosis found =
-      diagnose(support::oscillator(), data, other,
-               diagnosis_options(configuration, default_registry()), RunContext{});
-  EXPECT_EQ(found.verdict, Verdict::Explained);
-  ASSERT_EQ(found.effects.size(), 2u);
-  EXPECT_EQ(found.effects[0].name, "coulomb-friction");
-  EXPECT_EQ(found.effects[1].name, "channel-skew");
-  EXPECT_NEAR(found.effects[1].coefficient, 0.03, 2e-3);
-  ASSERT_TRUE(found.gap.has_value());
-  EXPECT_LT(found.gap->after, 1.1 * found.gap->noise_floor);
 }
 
 }  // namespace

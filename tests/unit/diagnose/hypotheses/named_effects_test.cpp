@@ -14,52 +14,6 @@ support::Asked asked_of(const support::Hidden& hidden) {
   return support::asked(hidden, 0.01, support::own_effects());
 }
 
-TEST(NamedEffects, TheCompositeHasTheEffectOnTopOfItsBaseline) {
-  const support::Asked asked = asked_of(support::dry_friction);
-  const auto base = asked.baseline();
-  const SearchedComposite found = searched(asked.problem(), base, asked.options.effects);
-  EXPECT_EQ(found.composite.base, base);
-  ASSERT_EQ(found.composite.named.size(), 1u);
-  EXPECT_EQ(found.composite.named[0].name, "dry");
-  EXPECT_NEAR(found.composite.named[0].coefficient, -0.3, 0.02);
-  EXPECT_FALSE(leaves_structure(found.composite, asked.options.decision));
-  EXPECT_FALSE(found.composite.refitted) << "no residual structure is there";
-  EXPECT_FALSE(found.rivals.empty());
-}
-
-TEST(NamedEffects, AProposalKeepsWhatTheAssumptionsFoundAndIsLeftToTheCriterion) {
-  const support::Asked asked = asked_of(support::dry_friction);
-  CompositeModel best = asked.bare();
-  best.findings = {{.name = "an assumption"}};
-  best.notes = {"a note"};
-  const Proposals made = NamedEffects().propose(asked.problem(), best);
-  ASSERT_EQ(made.composites.size(), 1u);
-  const Proposal& proposal = made.composites[0];
-  EXPECT_EQ(proposal.composite.findings[0].name, "an assumption");
-  EXPECT_EQ(proposal.composite.notes, best.notes);
-  EXPECT_TRUE(std::holds_alternative<ByCriterion>(proposal.judged));
-  EXPECT_LT(asked.options.criterion->value(evidence_of(proposal.composite)),
-            asked.options.criterion->value(evidence_of(best)));
-}
-
-TEST(NamedEffects, OfACompleteModelItsCompositeIsNoBetterThanTheBareOne) {
-  const support::Asked asked = asked_of(support::nothing);
-  const CompositeModel bare = asked.bare();
-  const Proposals made = NamedEffects().propose(asked.problem(), bare);
-  ASSERT_EQ(made.composites.size(), 1u);
-  EXPECT_TRUE(made.composites[0].composite.named.empty());
-  EXPECT_EQ(asked.options.criterion->value(evidence_of(made.composites[0].composite)),
-            asked.options.criterion->value(evidence_of(bare)));
-}
-
-TEST(NamedEffects, OnlyTheEffectsThatAreGivenAreTried) {
-  const support::Asked asked = asked_of(support::dry_friction);
-  const SearchedComposite found = searched(asked.problem(), asked.baseline(),
-                                           {support::FormEffect<support::kCubic>("q^3")});
-  for (const NamedEffect& named : found.composite.named) EXPECT_EQ(named.name, "cubic");
-  EXPECT_TRUE(leaves_structure(found.composite, asked.options.decision));
-}
-
 /// The composite model that a form with a shape was chosen first, which does a little of dry
 /// friction.
 CompositeModel wrong_choice(const support::Asked& asked) {
@@ -118,17 +72,6 @@ TEST(OtherChoices, TakeThePlaceOfAFirstChoiceWhoseTimeEndedWhereItsRangeDoes) {
   ASSERT_EQ(made.composites.size(), 1u);
   ASSERT_EQ(made.composites[0].composite.named.size(), 1u);
   EXPECT_EQ(made.composites[0].composite.named[0].name, "dry");
-}
-
-TEST(OtherChoices, AreNotSoughtWhereNothingIsLeftOrNoFormIsSpecial) {
-  const support::Asked asked = asked_of(support::dry_friction);
-  CompositeModel first = wrong_choice(asked);
-  CompositeModel done = first;
-  done.left.clear();
-  EXPECT_TRUE(OtherChoices().propose(asked.problem(), done).composites.empty());
-  first.explanation.effects[0].candidate.shapes.clear();
-  const Proposals plain = OtherChoices().propose(asked.problem(), first);
-  EXPECT_TRUE(plain.composites.empty() && plain.trail.empty());
 }
 
 }  // namespace

@@ -55,14 +55,6 @@ TEST_F(Answer, OtherRecordsConfirmLowerOrRefuteNames) {
   EXPECT_EQ(refuted.note.substr(0, 13), "with dry in v");
 }
 
-TEST_F(Answer, WithoutAGapOnOtherRecordsNothingConfirmsNames) {
-  const HoldoutEvaluation silent = evaluated(composite("sign(v)"), std::nullopt);
-  EXPECT_TRUE(silent.lower && !silent.withdraw);
-  EXPECT_FALSE(silent.note.empty());
-  EXPECT_EQ(answer(composite("sign(v)"), silent).verdict, Verdict::PartlyExplained);
-  EXPECT_FALSE(evaluated(nameless(0.0), std::nullopt).lower);
-}
-
 TEST_F(Answer, OtherRecordsHearAssumptionsLikeNames) {
   CompositeModel late = nameless(0.0);
   late.findings = {{.equation = 1, .name = "late"}};
@@ -258,32 +250,6 @@ TEST_F(Answer, CoefficientsAreOffFromBothThresholdsOn) {
   EXPECT_EQ(answer(nameless(0.0)).verdict, Verdict::CoefficientsOnly);
   asked_.options.decision.effect_size = 0.5;  // 0.4 q is about a tenth of the rate
   EXPECT_EQ(answer(nameless(0.0)).verdict, Verdict::NoDiscrepancy);
-}
-
-TEST_F(Answer, AHearingLowersTheVerdictAndIsNoted) {
-  const Diagnosis lowered = answer(composite("sign(v)"), {false, true, "a note"});
-  EXPECT_EQ(lowered.verdict, Verdict::PartlyExplained);
-  EXPECT_TRUE(lowered.remaining.structure);
-  EXPECT_EQ(lowered.notes.back(), "a note");
-}
-
-TEST_F(Answer, WhatIsLeftAndTheAssumptionsStandInTheAnswer) {
-  CompositeModel judged = composite("sign(v)", 5.0);
-  judged.findings = {{.equation = 0, .name = "an assumption"}};
-  judged.notes = {"of the composite model"};
-  judged.left.push_back({0, 1.0, 1.0, 1.0, 1.0});
-  const Diagnosis result = answer(judged);
-  ASSERT_EQ(result.effects.size(), 2u);
-  EXPECT_EQ(result.effects[0].name, "dry");
-  EXPECT_EQ(result.effects[1].name, "an assumption") << "findings come behind the effects";
-  EXPECT_EQ(result.remaining.equations, std::vector<Index>{1});
-  EXPECT_EQ(result.remaining.sigma, 5.0);
-  EXPECT_EQ(result.notes.back(), "of the composite model");
-}
-
-TEST_F(Answer, AModelWithoutDiscrepancyStaysAsItWas) {
-  EXPECT_EQ(answer(nameless(0.0)).augmented.coefficient(1, "q"), -4.0);
-  EXPECT_NE(answer(nameless(5.0)).augmented.coefficient(1, "q"), -4.0);
 }
 
 TEST_F(Answer, WhatExplainsHardlyAnythingStandsApart) {

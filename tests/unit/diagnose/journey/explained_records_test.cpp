@@ -52,20 +52,6 @@ TEST(ClockOffsets, AreThoseOfTheTone) {
   }
 }
 
-TEST(ClockOffsets, AreNoneWhereSomethingElseIsAFunctionOfTime) {
-  const Dataset other = support::hidden_record(tone_ahead(0.3), 0.005, 9, -0.4);
-  EXPECT_TRUE(offsets_of(known_tone({{support::plain_candidate("t"), Vector(0), 0.01}}), other)
-                  .isZero(0.0));
-  const Explanation nothing{{}, support::assimilated(other)};
-  EXPECT_TRUE(offsets_of(nothing, other).isZero(0.0));
-}
-
-TEST(ClockOffsets, MoveTheTimesOfRecords) {
-  const Dataset data = support::hidden_record(support::nothing, 0.005);
-  const Dataset ahead = with_clocks_ahead(data, Vector::Constant(1, 2.5));
-  EXPECT_EQ(ahead.trajectories[0].time[0], data.trajectories[0].time[0] + 2.5);
-}
-
 TEST(Gap, KeepsTheTimesOfTheRecordsInItsRuns) {
   const Dataset other = support::hidden_record(tone_ahead(0.3), 0.005, 9, -0.4);
   const Gap gap = measure_gap(support::oscillator(), known_tone(), {as_measured(other), other},

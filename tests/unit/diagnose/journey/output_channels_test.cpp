@@ -37,23 +37,6 @@ Dataset view_of(const OdeModel& model, const Vector& reading) {
                     FiniteDifferences{});
 }
 
-TEST(OutputChannels, AnAffineFunctionOfAStateIsItsImage) {
-  const OdeModel model = model_with("y = 4096*th/(2*pi) - 3");
-  const auto images = images_of_states(model, view_of(model, readings()));
-  ASSERT_EQ(images.size(), 1U);
-  EXPECT_EQ(images[0].output, "y");
-  EXPECT_EQ(images[0].state, "th");
-  EXPECT_NEAR(images[0].factor, 651.8986469044033, 1e-9);
-  EXPECT_EQ(images[0].offset, -3.0);
-}
-
-TEST(OutputChannels, OtherFunctionsAreNoImages) {
-  for (const char* output : {"y = th^2", "y = th+w", "y = abs(th)", "y = 0*th", "y = 2*T"}) {
-    const OdeModel model = model_with(output);
-    EXPECT_TRUE(images_of_states(model, view_of(model, readings())).empty()) << output;
-  }
-}
-
 TEST(OutputChannels, RecordsAreThoseOfTheState) {
   const OdeModel model = model_with("y = 10 - 2*th");
   Dataset view = view_of(model, (10.0 - 2.0 * readings().array()).matrix());

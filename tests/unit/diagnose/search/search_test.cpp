@@ -67,13 +67,6 @@ TEST_F(Search, EndsWhereMoreParametersDoNotCount) {
   EXPECT_EQ(rounds_of(1), 1u);
 }
 
-TEST_F(Search, FractionsOfTheDisturbanceThatGoAddUpToMostOfIt) {
-  double sum = 0.0;
-  for (const NamedEffect& named : found(dry_and_cubic).named) sum += named.gap_closed;
-  EXPECT_GT(sum, 0.9);
-  EXPECT_LE(sum, 1.0 + 1e-9);
-}
-
 TEST_F(Search, GoesWithoutFormsThatAreShutOut) {
   found(dry_and_cubic);
   const Problem problem = asked_.problem();
@@ -105,21 +98,6 @@ TEST_F(Search, RivalsElsewhereDoAsWellInTheEnd) {
             "that are known (--tolerance) may decide");
 }
 
-TEST_F(Search, NothingIsAddedWhereNothingIsMissing) {
-  const FoundEffects effects = found(support::nothing);
-  EXPECT_TRUE(effects.named.empty() && effects.explanation.effects.empty());
-  ASSERT_EQ(effects.rounds.size(), 1u);
-  EXPECT_FALSE(effects.rounds[0].accepted);
-  EXPECT_EQ(effects.explanation.fit.deviance, base_->fitted.deviance);
-}
-
-TEST_F(Search, NoMoreEffectsThanAreAskedFor) {
-  EXPECT_EQ(found(dry_and_cubic, {.max_effects = 1}).named.size(), 1u);
-  const FoundEffects none = found(dry_and_cubic, {.max_effects = 0});
-  EXPECT_TRUE(none.named.empty() && none.rounds.empty());
-  EXPECT_FALSE(none.left.empty());
-}
-
 TEST_F(Search, AThresholdThatIsNotReachedStandsInTheTrail) {
   const FoundEffects few = found(dry, {.significance = 1e3});
   EXPECT_TRUE(few.named.empty());
@@ -132,14 +110,6 @@ TEST_F(Search, AThresholdThatIsNotReachedStandsInTheTrail) {
   ASSERT_FALSE(small.rivals.empty());
   EXPECT_EQ(small.rivals[0].quantity, "effect size");
   EXPECT_FALSE(small.rivals[0].taken);
-}
-
-TEST_F(Search, TheTrailSaysWhatWasTaken) {
-  const FoundEffects effects = found(dry);
-  ASSERT_FALSE(effects.rivals.empty());
-  EXPECT_TRUE(effects.rivals[0].taken);
-  EXPECT_EQ(effects.rivals[0].composite, "dry in dv/dt: sign(v)");
-  EXPECT_EQ(effects.rivals[0].hypothesis, "named-effects");
 }
 
 }  // namespace

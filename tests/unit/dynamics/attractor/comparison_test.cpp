@@ -10,7 +10,6 @@
 #include "lacuna/core/base/error.hpp"
 #include "lacuna/dynamics/integration/runge_kutta.hpp"
 #include "lacuna/dynamics/integration/simulate.hpp"
-#include "lacuna/dynamics/test_systems/test_systems.hpp"
 
 namespace lacuna {
 namespace {

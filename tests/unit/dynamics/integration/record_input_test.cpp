@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <memory>
 
 #include "lacuna/core/base/error.hpp"
 
@@ -80,15 +79,6 @@ TEST(RecordInput, EachInputGoesOnInItsOwnWay) {
 TEST(RecordInput, ShapesMustFit) {
   EXPECT_THROW(RecordInput(Vector{{0.0, 1.0}}, Matrix::Zero(3, 1)), ArgumentError);
   EXPECT_THROW(RecordInput(sine(51, 0.2), std::vector<Quantity>{{"a", ""}}), ArgumentError);
-}
-
-TEST(RecordInput, CopiesDoNotShareSamples) {
-  auto original = std::make_unique<RecordInput>(sine(51, 0.2));
-  RecordInput copy(*original);
-  original.reset();
-  double u[2];
-  copy(1.0, u);
-  EXPECT_NEAR(u[0], std::sin(1.0), 1e-4);
 }
 
 }  // namespace

@@ -43,14 +43,6 @@ TEST(Simulate, InputsDriveTheModel) {
     EXPECT_NEAR(solution.states(i, 0), std::sin(solution.time[i]), 1e-8);
 }
 
-TEST(Simulate, RecordedInputsDriveTheModel) {
-  const OdeModel model = scalar_model({{"u", 1.0}});
-  const Vector time = sample_times(0.0, 0.05, 101);
-  RecordInput input(time, time.array().cos().matrix());
-  const Solution solution = simulate(DrivenModel{model, input}, Rk4{}, Vector{{0.0}}, time);
-  EXPECT_NEAR(solution.states(100, 0), std::sin(5.0), 1e-6);
-}
-
 /// dx/dt = -2 x + u with u held: x goes to u/2 by exp(-2 h) in each interval.
 TEST(Simulate, StepsEndWhereAnInputJumps) {
   const OdeModel model = scalar_model({{"x", -2.0}, {"u", 1.0}});
@@ -81,12 +73,6 @@ TEST(Simulate, DelayedInputsJumpLater) {
   EXPECT_NEAR(solution.states(4, 0), 0.33 * 1.0 - 3.0 * 0.48 + 2.0 * 0.19, 1e-12);
 }
 
-TEST(Simulate, TimeIsAVariable) {
-  const OdeModel model = scalar_model({{"t", 2.0}}, false);
-  const Solution solution = simulate(model, Rk4{}, Vector{{0.0}}, sample_times(0.0, 0.5, 7));
-  EXPECT_NEAR(solution.states(6, 0), 9.0, 1e-12);
-}
-
 // dx/dt = -x(t-1) with x = 1 before 0, by the method of steps.
 double delayed_decay(double t) {
   double value = 1.0 - t;
@@ -113,14 +99,6 @@ TEST(Simulate, TinyDelayIsNearlyNone) {
   const Solution solution = simulate(model, Rk4{}, Vector{{1.0}}, sample_times(0.0, 0.5, 5));
   ASSERT_EQ(solution.status, IntegrationStatus::Completed);
   EXPECT_NEAR(solution.states(4, 0), std::exp(-2.0), 1e-5);
-}
-
-TEST(Simulate, DelayedInputsAreTheEarlierSignal) {
-  const OdeModel model = scalar_model({{"delay(u,0.25)", 1.0}});
-  const auto cosine = [](double t, double* u) { *u = std::cos(t); };
-  const Solution solution =
-      simulate(DrivenModel{model, cosine}, Dopri8{}, Vector{{0.0}}, sample_times(0.0, 0.1, 11));
-  EXPECT_NEAR(solution.states(10, 0), std::sin(0.75) + std::sin(0.25), 1e-9);
 }
 
 TEST(Simulate, DivergenceNamesStatesAndUnit) {

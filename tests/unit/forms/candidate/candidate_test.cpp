@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/forms/candidate/candidate.hpp"
-
 #include <gtest/gtest.h>
 
-#include "lacuna/core/base/error.hpp"
+#include <numbers>
+
+#include "forms/candidate/tone.hpp"
+#include "lacuna/forms/candidate/candidate.hpp"
+#include "support/diagnosis_scope.hpp"
 
 namespace lacuna {
 namespace {
@@ -35,11 +37,6 @@ Candidate lag(const std::string& name) {
   return candidate;
 }
 
-TEST(Candidate, NumbersStandInPlaceOfShapes) {
-  const std::vector<double> values{0.25, -1.5};
-  EXPECT_EQ(bind_form(delayed(), values), parse_expression("a_1*delay(x,0.25)-(-1.5)*x"));
-}
-
 TEST(Candidate, DependsOnWhatItsFormAndItsMemoryAreFunctionsOf) {
   EXPECT_TRUE(delayed().depends_on("x"));
   EXPECT_FALSE(delayed().depends_on("u"));
@@ -47,11 +44,6 @@ TEST(Candidate, DependsOnWhatItsFormAndItsMemoryAreFunctionsOf) {
   remembered.form = parse_expression("follower");
   EXPECT_TRUE(remembered.depends_on("u")) << "through its memory";
   EXPECT_FALSE(remembered.depends_on("x"));
-}
-
-TEST(Candidate, EveryShapeNeedsAValue) {
-  const std::vector<double> one{0.25};
-  EXPECT_THROW(bind_form(delayed(), one), ArgumentError);
 }
 
 TEST(Candidate, MemoryGetsAnotherNameWhereItsOwnIsTaken) {
@@ -86,6 +78,20 @@ TEST(Candidate, TonesStayApart) {
   Candidate tone = clipped("frequency", "hum", 1.0, 2.0);
   tone.repeats = true;
   EXPECT_EQ(merged({tone, tone}).size(), 2u);
+}
+
+TEST(Tone, BeginsAtTheLineWithinTheResolutionOfTheRecord) {
+  const Candidate tone = tone_candidate({1, 3.0, 0.5}, support::oscillator_scope());
+  EXPECT_EQ(tone.form, parse_expression("sin(2*pi*frequency*t+phase)"));
+  EXPECT_EQ(tone.equation, 1);
+  EXPECT_EQ(tone.place, Place::Rate);
+  ASSERT_EQ(tone.shapes.size(), 2u);
+  EXPECT_NEAR(tone.shapes[0].low, 2.9, 1e-12);
+  EXPECT_NEAR(tone.shapes[0].high, 3.1, 1e-12);
+  EXPECT_EQ(tone.shapes[0].unit, "1/s");
+  EXPECT_NEAR(tone.shapes[1].high - tone.shapes[1].low, 2.0 * std::numbers::pi, 1e-12);
+  ASSERT_EQ(tone.starts.size(), 1u);
+  EXPECT_EQ(tone.starts[0], (Vector{{3.0, 0.5}}));
 }
 
 }  // namespace

@@ -99,9 +99,5 @@ TEST(Effect, WhatItProposesIsItUnlessItSaysOtherwise) {
   EXPECT_FALSE(reading(Vector::Zero(1)).has_value());
 }
 
-TEST(Effect, RefusesAnEquationThatDoesNotExist) {
-  EXPECT_THROW(Made(edge(0.5)).candidates(support::oscillator_scope(), 2), ArgumentError);
-}
-
 }  // namespace
 }  // namespace lacuna

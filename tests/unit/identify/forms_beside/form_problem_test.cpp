@@ -30,15 +30,6 @@ Candidate form_of_x(const std::string& form) {
   return candidate;
 }
 
-TEST(FormProblem, LinearTermsAreTheConstantAndTheVariables) {
-  const FormProblem problem(decay(), Vector::Zero(1), {});
-  const std::vector<Term> terms = problem.linear_terms();
-  ASSERT_EQ(terms.size(), 2u);
-  EXPECT_EQ(terms[0].name(), "1");
-  EXPECT_EQ(terms[1].name(), "x");
-  EXPECT_LT(problem.left({0, terms, {}}), problem.residual_noise(0) * 1e6);
-}
-
 TEST(FormProblem, WhatIsTheSameIsATenthWhereItIsNoNoise) {
   const FormProblem clean(decay(), Vector::Zero(1), {});
   EXPECT_NEAR(clean.same_as(1.0, clean.residual_noise(0)), 1.21, 1e-12);
@@ -47,21 +38,6 @@ TEST(FormProblem, WhatIsTheSameIsATenthWhereItIsNoNoise) {
   const auto rows = static_cast<double>(noisy.rows());
   EXPECT_NEAR(noise, 0.01 * rows, 1e-6 * noise);
   EXPECT_NEAR(noisy.same_as(noise, noise), noise * (1.0 + 2.0 * std::log(rows) / rows), 1e-9);
-}
-
-TEST(FormProblem, ColumnsOfStartingPointsAreMadeOnce) {
-  const FormProblem problem(decay(), Vector::Zero(1), {});
-  const EquationForms constant{0, {problem.linear_terms()[0]}, {}};
-  const EquationForms linear{0, problem.linear_terms(), {}};
-  const std::vector<Start> starts =
-      all_starts({form_of_x("x^2"), form_of_x("exp(x)"), form_of_x("sin(x)")});
-  ASSERT_EQ(starts.size(), 3U);
-  const Matrix first = problem.rated({{constant}, {linear}}, starts);
-  EXPECT_EQ(problem.columns_made(), 3) << "once for all equations";
-  EXPECT_EQ(problem.rated({{constant}, {linear}}, starts), first);
-  EXPECT_EQ(problem.columns_made(), 3) << "and for all rounds of a search";
-  problem.rated({{linear}}, all_starts({form_of_x("sin(x)"), form_of_x("cos(x)")}));
-  EXPECT_EQ(problem.columns_made(), 4);
 }
 
 TEST(FormProblem, WhatTrajectoriesCallNoiseIsNoise) {
@@ -75,28 +51,6 @@ TEST(FormProblem, WhatTrajectoriesCallNoiseIsNoise) {
   const Limit noise = problem.limit_of(constant, Remainder::Noise);
   EXPECT_NEAR(noise.left, left * (1.0 + 2.0 * std::log(rows) / rows), 1e-9 * left);
   EXPECT_NEAR(noise.penalty, std::log(rows) / rows * left, 1e-9 * left);
-}
-
-TEST(FormProblem, ColumnsThatAreKeptAreThoseOfTheTerms) {
-  const std::vector<Term> terms = FormProblem(decay(), Vector::Zero(1)).linear_terms();
-  const EquationForms equation{0, terms, {{form_of_x("sin(x)"), Vector()}}};
-  EXPECT_EQ(FormProblem(decay(), Vector::Zero(1), {}, {}, terms).columns(equation),
-            FormProblem(decay(), Vector::Zero(1)).columns(equation));
-}
-
-TEST(FormProblem, RatesStartsBesideEachEquation) {
-  const FormProblem problem(decay(), Vector::Zero(1), {});
-  const EquationForms constant{0, {problem.linear_terms()[0]}, {}};
-  const EquationForms linear{0, problem.linear_terms(), {}};
-  const std::vector<Start> starts = all_starts({form_of_x("exp(x)"), form_of_x("sin(x)")});
-  const Matrix left = problem.rated({{constant}, {linear}}, starts);
-  ASSERT_GT(left.rows(), 0);
-  for (Index i = 0; i < left.rows(); ++i) {
-    EquationForms with = constant;
-    with.forms.push_back(starts[static_cast<std::size_t>(i)].form);
-    EXPECT_NEAR(left(i, 0), problem.left(with), 1e-9 * left(i, 0));
-    EXPECT_LE(left(i, 1), left(i, 0));
-  }
 }
 
 TEST(FormProblem, RatesFormsByWhatTheyTakeInThePlaceOfMembers) {
@@ -121,30 +75,6 @@ TEST(FormProblem, RatesFormsByWhatTheyTakeInThePlaceOfMembers) {
   EXPECT_TRUE(std::isfinite(rating({linear, 1, 0, std::min(1.0, 1.9 * taken), limit})));
   EXPECT_TRUE(std::isinf(rating({linear, 1, 1}))) << "no place for a member";
   EXPECT_TRUE(std::isfinite(rating({linear, 2, 1})));
-}
-
-TEST(FormProblem, TheBestStartsAreThoseOfEachCandidateThatLeaveLeast) {
-  std::vector<Start> starts(5);
-  for (std::size_t i = 0; i < starts.size(); ++i) starts[i].candidate = i / 2;  // 0 0 1 1 2
-  set_residuals(Vector{{9.0, 3.0, 5.0, 6.0, INFINITY}}, starts);
-  const auto left = [&](std::size_t count) {
-    std::vector<double> values;
-    for (const Start& start : best_of(starts, count)) values.push_back(start.left);
-    return values;
-  };
-  EXPECT_EQ(left(3), (std::vector<double>{3.0, 5.0}));
-  EXPECT_EQ(left(1), (std::vector<double>{3.0}));
-}
-
-TEST(FormProblem, ThinnedKeepsTheFormAndWhatIsNeeded) {
-  const FormProblem problem(decay(), Vector::Zero(1), {});
-  const EquationForms all{0, problem.linear_terms(), {}};
-  const double limit = 1e6 * problem.residual_noise(0);
-  const Trial thin = problem.thinned(all, {form_of_x("sin(x)"), Vector()}, {limit, 0.0, 2});
-  EXPECT_LE(thin.left, limit);
-  ASSERT_EQ(thin.equation.terms.size(), 1u);
-  EXPECT_EQ(thin.equation.terms[0].name(), "x");
-  EXPECT_EQ(thin.equation.forms.size(), 1u);
 }
 
 /// What is left without the member that costs least, the last one apart: each is tried.
@@ -200,15 +130,6 @@ TEST(FormProblem, ThinnedDropsWhatCostsLeast) {
       }
 }
 
-TEST(FormProblem, ChoosesTheTermsThatAFormNeeds) {
-  const FormProblem problem(decay(), Vector::Zero(1), {});
-  const EquationForms all{0, {problem.linear_terms()[0]}, {}};
-  const double limit = 1e6 * problem.residual_noise(0);
-  const Trial few = problem.chosen(all, {form_of_x("2*x"), Vector()}, {limit, 0.0, 2});
-  EXPECT_TRUE(few.equation.terms.empty());
-  EXPECT_LE(few.left, limit);
-}
-
 TEST(Limit, ANumberLessMayCostItsPenalty) {
   const Limit limit{10.0, 2.0, 5};
   EquationForms equation;
@@ -216,16 +137,6 @@ TEST(Limit, ANumberLessMayCostItsPenalty) {
   EXPECT_DOUBLE_EQ(limit(equation), 14.0);
   EXPECT_TRUE(Limit::prefers({{}, 9.0}, {equation, 1.0}));
   EXPECT_FALSE(Limit::prefers({equation, 2.0}, {equation, 1.0}));
-}
-
-TEST(FormProblem, TriesEachCandidateAndPutsTheBestFirst) {
-  const FormProblem problem(decay(), Vector::Zero(1), {});
-  const EquationForms constant{0, {problem.linear_terms()[0]}, {}};
-  const std::vector<Trial> trials =
-      problem.with_each(constant, {form_of_x("exp(x)"), form_of_x("sin(x)")});
-  ASSERT_EQ(trials.size(), 2u);
-  EXPECT_EQ(trials[0].equation.forms[0].expression().to_string(), "sin(x)");
-  EXPECT_LT(trials[0].left, trials[1].left);
 }
 
 TEST(FormProblem, TriesOnlyWhatMayComeToWhatIsWanted) {
@@ -243,18 +154,6 @@ TEST(FormProblem, TriesOnlyWhatMayComeToWhatIsWanted) {
   EXPECT_EQ(some[0].equation.forms[0].expression().to_string(), "sin(x)");
 }
 
-TEST(FormProblem, AShapeWithARangeOfOneValueKeepsIt) {
-  const FormProblem problem(decay(), Vector::Zero(1), {});
-  Candidate narrow = form_of_x("x/(a+x)");
-  narrow.shapes = {{"a", "", 0.5, 0.5, true}};
-  narrow.starts = {Vector::Constant(1, 0.5)};
-  const EquationForms constant{0, {problem.linear_terms()[0]}, {}};
-  const std::vector<Trial> trials = problem.with_each(constant, {narrow});
-  ASSERT_EQ(trials.size(), 1u);
-  EXPECT_EQ(trials[0].equation.forms[0].shapes[0], 0.5);
-  EXPECT_TRUE(std::isfinite(trials[0].left));
-}
-
 TEST(FormProblem, AShapeThatGoesToAnEndOfItsRangeStaysThere) {
   const FormProblem problem(decay(), Vector::Zero(1), {});
   Candidate saturating = form_of_x("x/(a+x)");
@@ -265,29 +164,6 @@ TEST(FormProblem, AShapeThatGoesToAnEndOfItsRangeStaysThere) {
   const double left = problem.polish(equation, 0);
   EXPECT_DOUBLE_EQ(equation.forms[0].shapes[0], 2.0);
   EXPECT_NEAR(left, problem.left(equation), 1e-9 * left);
-}
-
-TEST(FormProblem, FormsOfMoreParametersThanThereAreAreNotRated) {
-  const FormProblem problem(decay(), Vector::Zero(1), {});
-  const EquationForms constant{0, {problem.linear_terms()[0]}, {}};
-  Candidate saturating = form_of_x("x/(a+x)");
-  saturating.shapes = {{"a", "", 0.1, 2.0, true}};
-  saturating.starts = {Vector::Constant(1, 0.5)};
-  const Matrix left =
-      problem.rated({{constant, 2, 1}}, all_starts({saturating, form_of_x("sin(x)")}));
-  ASSERT_EQ(left.size(), 2);
-  EXPECT_TRUE(std::isinf(left(0, 0)));
-  EXPECT_TRUE(std::isfinite(left(1, 0)));
-}
-
-TEST(FormProblem, FormsWithoutARangeHaveNoStarts) {
-  Candidate wide = form_of_x("x/(a+x)");
-  wide.shapes = {{"a", "", 1e-3, INFINITY, true}};
-  wide.starts = {Vector::Constant(1, 1.0)};
-  Candidate unknown = wide;
-  unknown.shapes[0].high = 1.0;
-  unknown.starts = {Vector::Constant(1, NAN), Vector::Constant(1, 0.1)};
-  EXPECT_EQ(all_starts({wide, unknown}).size(), 1u);
 }
 
 }  // namespace

@@ -1,26 +1,28 @@
 // SPDX-License-Identifier: MIT
-#include "identify/forms_beside/form_rows.hpp"
-
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
+#include <Eigen/QR>
 #include <cmath>
 #include <limits>
 
 #include "core/base/random.hpp"
+#include "identify/forms_beside/base_columns.hpp"
+#include "identify/forms_beside/form_problem.hpp"
+#include "identify/forms_beside/form_rows.hpp"
 
 namespace lacuna {
 namespace {
 
 /// x = 2 cos t, y = -2 sin t: dx/dt = y, dy/dt = -x.
-Dataset circle(Index n, double noise) {
+Dataset circle(Index n, double noise, double length = 20.0, std::uint64_t seed = 1) {
   Dataset data;
   data.states = {{"x", ""}, {"y", ""}};
   Trajectory record;
-  record.time = Vector::LinSpaced(n, 0.0, 20.0);
+  record.time = Vector::LinSpaced(n, 0.0, length);
   record.states.resize(n, 2);
   record.inputs.resize(n, 0);
-  Random random(1);
+  Random random(seed);
   for (Index i = 0; i < n; ++i) {
     record.states(i, 0) = 2.0 * std::cos(record.time[i]) + noise * random.normal();
     record.states(i, 1) = -2.0 * std::sin(record.time[i]) + noise * random.normal();
@@ -69,45 +71,127 @@ TEST(FormRows, OfALongRecordKeepTheSamplesWithinTestFunctions) {
   EXPECT_EQ(rows.projected(rows.values({y})), rows.columns({y}));
 }
 
-TEST(FormRows, NoiseOfTheStateIsWhiteNoiseOfItsTarget) {
-  const double sigma = 0.01;
-  const FormRows rows(circle(4001, sigma), Vector::Constant(2, sigma));
-  const Vector residual = rows.target(0) - rows.columns({parse_expression("y")}).col(0);
-  const double rms = std::sqrt(residual.squaredNorm() / static_cast<double>(rows.rows()));
-  EXPECT_NEAR(rms, sigma, 0.15 * sigma);
+Matrix noise(Index rows, Index columns, std::uint64_t seed) {
+  Random random(seed);
+  Matrix values(rows, columns);
+  for (double& value : values.reshaped()) value = random.normal();
+  return values;
 }
 
-TEST(FormRows, AColumnIsTheSameAloneAndBesideAnyOthers) {
-  const FormRows rows(circle(2001, 0.01), Vector::Constant(2, 0.01));
-  std::vector<Expression> forms;
-  for (int k = 0; k < 19; ++k)
-    forms.push_back(parse_expression("sin(x + " + std::to_string(k) + "*y)"));
-  const Matrix together = rows.columns(forms);
-  ASSERT_FALSE(forms.empty());
-  for (std::size_t k = 0; k < forms.size(); ++k)
-    EXPECT_EQ(rows.columns({forms[k]}).col(0), together.col(static_cast<Index>(k))) << k;
+Matrix joined(const Matrix& columns, const Matrix& more) {
+  Matrix all(columns.rows(), columns.cols() + more.cols());
+  all.leftCols(columns.cols()) = columns;
+  all.rightCols(more.cols()) = more;
+  return all;
 }
 
-TEST(FormRows, GiveTheValuesAtTheSamples) {
-  const FormRows rows(circle(101, 0.0), Vector::Zero(2));
-  const Matrix values = rows.values({parse_expression("x^2+y^2")});
-  ASSERT_EQ(values.rows(), rows.samples());
-  EXPECT_NEAR(values(17, 0), 4.0, 1e-12);
+TEST(BaseColumns, OneColumnMoreLeavesWhatLeastSquaresLeaves) {
+  const Matrix columns = noise(40, 5, 1);
+  const Vector target = noise(40, 1, 2), more = noise(40, 1, 3);
+  const BaseColumns base(columns, target);
+  EXPECT_NEAR(base.left(), residual_squares(columns, target), 1e-12);
+  EXPECT_NEAR(base.left_with(more), residual_squares(joined(columns, more), target), 1e-12);
+  EXPECT_NEAR(base.left_with(columns.col(2)), base.left(), 1e-12);
+  EXPECT_NEAR(BaseColumns(Matrix(40, 0), target).left_with(more),
+              residual_squares(more, target), 1e-12);
 }
 
-TEST(ResidualSquares, AreThoseOfLeastSquares) {
-  Matrix columns(5, 2);
-  columns << 1, 2, 0, 1, 3, 1, 1, 1, 2, 0;
-  Vector target(5);
-  target << 1, 0, 2, -1, 3;
-  const Vector h = (columns.transpose() * columns).inverse() * columns.transpose() * target;
-  EXPECT_NEAR(residual_squares(columns, target), (target - columns * h).squaredNorm(), 1e-12);
-  EXPECT_NEAR(residual_squares(Matrix(5, 0), target), target.squaredNorm(), 1e-12);
-  Matrix twice(5, 3);
-  twice << columns, columns.col(0);
-  EXPECT_NEAR(residual_squares(twice, target), residual_squares(columns, target), 1e-12);
-  columns(2, 1) = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_TRUE(std::isinf(residual_squares(columns, target)));
+TEST(BaseColumns, TheRestIsWhatLeastSquaresLeavesOfEachRow) {
+  const Matrix columns = noise(40, 5, 21);
+  const Vector target = noise(40, 1, 22), more = noise(40, 1, 23);
+  const BaseColumns base(columns, target);
+  const Matrix all = joined(columns, more);
+  const Vector rest = target - all * all.householderQr().solve(target);
+  EXPECT_LT((base.rest_with(more) - rest).norm(), 1e-12);
+  EXPECT_NEAR(base.rest_with(columns.col(2)).squaredNorm(), base.left(), 1e-12);
+  const Vector broken = Vector::Constant(40, std::numeric_limits<double>::quiet_NaN());
+  EXPECT_FALSE(base.rest_with(broken).allFinite());
+}
+
+TEST(BaseColumns, APairLeavesWhatLeastSquaresLeavesAndHasItsCoefficients) {
+  const Matrix columns = noise(40, 5, 11);
+  const Vector first = noise(40, 1, 12), second = 30.0 * noise(40, 1, 13);
+  const Vector target = noise(40, 1, 14) + 2.0 * first - 0.5 * second;
+  const BaseColumns base(columns, target);
+  const BaseColumns::Pair pair = base.with_pair(first, second);
+  const Matrix all = joined(joined(columns, first), second);
+  EXPECT_NEAR(pair.left, residual_squares(all, target), 1e-11);
+  const Vector h = all.householderQr().solve(target);
+  EXPECT_NEAR(pair.first, h[5], 1e-11);
+  EXPECT_NEAR(pair.second, h[6], 1e-11);
+  EXPECT_NEAR(base.with_pair(columns.col(1), columns.col(2)).left, base.left(), 1e-11);
+}
+
+/// Without the column that is missed least beside another.
+Matrix without_least(const Matrix& columns, const Matrix& more, const Vector& target) {
+  double least = std::numeric_limits<double>::infinity();
+  Matrix best;
+  for (Index i = 0; i < columns.cols(); ++i) {
+    std::vector<Index> kept;
+    for (Index c = 0; c < columns.cols(); ++c)
+      if (c != i) kept.push_back(c);
+    const Matrix few = columns(Eigen::all, kept);
+    const double left = residual_squares(joined(few, more), target);
+    if (left < least) best = few;
+    least = std::min(least, left);
+  }
+  return best;
+}
+
+TEST(BaseColumns, WithoutSomeTheyGoOneByOneAsTheyAreMissed) {
+  const Matrix columns = noise(40, 5, 4), none(40, 0);
+  const Vector target = noise(40, 1, 5), more = noise(40, 1, 6);
+  const BaseColumns base(columns, target);
+  Matrix beside = columns, alone = columns;
+  for (Index gone = 0; gone <= 5; ++gone) {
+    EXPECT_NEAR(base.left_without(gone, more), residual_squares(joined(beside, more), target),
+                1e-10);
+    EXPECT_NEAR(base.left_without(gone), residual_squares(alone, target), 1e-10);
+    if (gone == 5) break;
+    beside = without_least(beside, more, target);
+    alone = without_least(alone, none, target);
+  }
+  EXPECT_TRUE(std::isinf(base.left_without(6)));
+  EXPECT_TRUE(std::isinf(base.left_without(1, columns.col(2)))) << "nothing new";
+}
+
+constexpr double kNoise = 0.01;
+
+Dataset noisy_circle(std::uint64_t seed) { return circle(2001, kNoise, 40.0, seed); }
+
+EquationForms rate_of_x(const FormProblem& problem, const std::string& term) {
+  return {0, {Term(parse_expression(term), problem.all_rows().variables())}, {}};
+}
+
+TEST(NoiseResidual, IsWhatNoiseLeavesOfARightEquationOnAverage) {
+  constexpr int kRecords = 40;
+  const Vector noise = Vector::Constant(2, kNoise);
+  double sum = 0.0, squares = 0.0;
+  NoiseSquares expected;
+  for (int seed = 1; seed <= kRecords; ++seed) {
+    const FormProblem problem(noisy_circle(static_cast<std::uint64_t>(seed)), noise);
+    const double left = problem.left(rate_of_x(problem, "y"));
+    sum += left;
+    squares += left * left;
+    Matrix sensitivity = Matrix::Zero(problem.all_rows().samples(), 2);
+    sensitivity.col(1).setOnes();
+    expected = problem.all_rows().noise_squares(sensitivity, noise, 0);
+    EXPECT_GT(expected.mean, 1.02 * problem.residual_noise(0)) << "noise of y counts as well";
+  }
+  const double mean = sum / kRecords;
+  const double deviation = std::sqrt(squares / kRecords - mean * mean);
+  // Of a mean of 40, and of a deviation of 40.
+  EXPECT_NEAR(mean, expected.mean, 4.0 * expected.deviation / std::sqrt(1.0 * kRecords));
+  EXPECT_NEAR(deviation, expected.deviation, 0.45 * expected.deviation);
+}
+
+TEST(NoiseResidual, SaysWhereAFormWouldFitNoise) {
+  const FormProblem problem(noisy_circle(1), Vector::Constant(2, kNoise));
+  constexpr double kHalf = 0.5;
+  EXPECT_TRUE(problem.would_fit_noise(rate_of_x(problem, "y"), kHalf));
+  EXPECT_FALSE(problem.would_fit_noise(rate_of_x(problem, "y"), 1.5));
+  EXPECT_FALSE(problem.would_fit_noise(rate_of_x(problem, "y^3"), kHalf));
+  EXPECT_FALSE(problem.would_fit_noise({0, {}, {}}, kHalf));
 }
 
 }  // namespace

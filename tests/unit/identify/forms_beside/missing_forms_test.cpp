@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "identify/forms_beside/function_forms.hpp"
 #include "identify/forms_beside/product_forms.hpp"
@@ -39,37 +38,6 @@ struct Oscillator {
   TermLibrary library;
 };
 
-TEST(FormSearch, FindsAFormWithItsShape) {
-  const Oscillator c("x/(1+x^2/0.49)");
-  const FormSearch search(c.data, c.sigma);
-  const EquationForms more = search.with_missing_forms(c.bare(), c.candidates(), 3);
-  EXPECT_FALSE(more.forms.empty());
-  const EquationForms found =
-      search.refitted(search.with_fewer_terms(more, c.candidates(), c.library.terms));
-  EXPECT_TRUE(found.terms.empty());
-  ASSERT_EQ(found.forms.size(), 1u);
-  EXPECT_EQ(found.forms[0].candidate.form.to_string(), "x/(1+x^2/a^2)");
-  EXPECT_NEAR(found.forms[0].shapes[0], 0.7, 1e-4);
-}
-
-TEST(FormSearch, TakesInNothingThatLeavesMoreThanAsked) {
-  const Oscillator c("x/(1+x^2/0.49)", 0.01);
-  const FormSearch search(c.data, c.sigma);
-  const EquationForms any = search.with_missing_forms(c.bare(), c.candidates(), 1);
-  ASSERT_EQ(any.forms.size(), 1u);
-  const double fraction = std::sqrt(search.left(any) / search.left(c.bare()));
-  EXPECT_EQ(search.with_missing_forms(c.bare(), c.candidates(), 1, 1.5 * fraction).forms.size(),
-            1u);
-  EXPECT_TRUE(
-      search.with_missing_forms(c.bare(), c.candidates(), 1, 0.1 * fraction).forms.empty());
-}
-
-TEST(FormSearch, TakesNothingInWhereOnlyNoiseIsLeft) {
-  const Oscillator c("x", 0.01);
-  const FormSearch search(c.data, c.sigma);
-  EXPECT_TRUE(search.with_missing_forms(c.bare(), c.candidates(), 3).forms.empty());
-}
-
 TEST(FormSearch, OneFormDoesTheWorkOfManyTerms) {
   const Oscillator c("sin(x)", 0.002);
   const FormSearch search(c.data, c.sigma);
@@ -94,31 +62,6 @@ TEST(FormSearch, WhatIsNegligibleNeedsNoParameters) {
   EXPECT_EQ(plain.forms[0].expression().to_string(), "sin(x)");
 }
 
-TEST(FormSearch, WhatATaylorSeriesStoodForIsOneComposition) {
-  const Oscillator c("x*exp(x/3)");
-  const FormSearch search(c.data, c.sigma);
-  const EquationForms series{1, {c.library.terms[1], c.library.terms[3]}, {}};
-  const EquationForms found =
-      search.recomposed(series, composed_forms(*c.scope, 1), c.library.terms, 1e-6);
-  EXPECT_LT(search.left(found), 1e-4 * search.left(series));
-  EXPECT_TRUE(found.terms.empty());
-  ASSERT_EQ(found.forms.size(), 1u);
-  EXPECT_EQ(found.forms[0].candidate.form.to_string(), "x*exp(x/a)");
-  EXPECT_NEAR(found.forms[0].shapes[0], 3.0, 1e-3);
-}
-
-TEST(FormSearch, AFunctionTakesThePlaceOfATermOfItsSeries) {
-  for (const double noise : {0.0, 0.01}) {
-    const Oscillator c("x*cos(x)", noise);
-    const FormSearch search(c.data, c.sigma);
-    const EquationForms series{1, {c.library.terms[1]}, {}};
-    const EquationForms found = search.exchanged(series, composed_forms(*c.scope, 1));
-    EXPECT_TRUE(found.terms.empty());
-    ASSERT_EQ(found.forms.size(), 1u);
-    EXPECT_EQ(found.forms[0].expression().to_string(), "x*cos(x)");
-  }
-}
-
 TEST(FormSearch, ATermThatLeavesOnlyNoiseIsNotExchanged) {
   for (const double noise : {0.0, 0.01}) {
     const Oscillator c("x", noise);
@@ -130,16 +73,6 @@ TEST(FormSearch, ATermThatLeavesOnlyNoiseIsNotExchanged) {
     EXPECT_EQ(found.terms, (std::vector<Term>{c.library.terms[1]}));
     EXPECT_TRUE(found.forms.empty());
   }
-}
-
-TEST(FormSearch, ALibraryThatLeavesNoMoreThanNoiseIsLeftAlone) {
-  const Oscillator c("x", 0.01);
-  const FormSearch search(c.data, c.sigma);
-  const EquationForms few{1, {c.library.terms[1]}, {}};
-  const EquationForms found =
-      search.recomposed(few, c.candidates(), c.library.terms, 1e-5);
-  EXPECT_EQ(found.terms.size(), c.library.terms.size());
-  EXPECT_TRUE(found.forms.empty());
 }
 
 TEST(FormSearch, AJumpTakesThePlaceOfASlopeThatHardlyASampleSees) {
@@ -184,15 +117,6 @@ TEST(FormSearch, WhatEquationsShareIsOneForm) {
   EXPECT_EQ(shared[0].shapes[0], 0.7001) << "the first stands for both";
   EXPECT_EQ(shared[1].shapes[0], 3.0) << "another function of x";
   EXPECT_EQ(shared[2].candidate.form.to_string(), sine);
-}
-
-TEST(FormSearch, CountsCoefficientsAndShapes) {
-  const Oscillator c("sin(x)");
-  EquationForms equation = c.bare();
-  EXPECT_EQ(equation.parameters(), 10u);
-  equation.forms.push_back({c.candidates().front(), Vector()});
-  equation.forms.push_back({c.candidates().front(), Vector::Ones(2)});
-  EXPECT_EQ(equation.parameters(), 14u);
 }
 
 /// 0.6 - 1.5 x/(0.3+x) is -0.9 + 1.5/(1+x/0.3): less of the constant stays in the first.

@@ -107,15 +107,5 @@ TEST(ConstrainedEquations, WhatCannotBeIsOneError) {
   EXPECT_THROW(identify(lorenz_record(0.0), pipeline), ConfigError);
 }
 
-TEST(ConstrainedEquations, TheEnergyHasOneConstraintForEachProduct) {
-  const std::vector<EquationConstraint> found = energy_preserving({{"x", ""}, {"y", ""}});
-  ASSERT_EQ(found.size(), 4U);  // x^3, x^2 y, x y^2, y^3
-  EXPECT_EQ(found[0].summands.size(), 1U);
-  EXPECT_EQ(found[1].summands.size(), 2U);
-  EXPECT_EQ(found[1].summands[0].term, "x*y");
-  EXPECT_EQ(found[1].summands[1].state, "y");
-  EXPECT_EQ(found[1].summands[1].term, "x*x");
-}
-
 }  // namespace
 }  // namespace lacuna

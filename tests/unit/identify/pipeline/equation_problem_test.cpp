@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: MIT
-#include "identify/pipeline/equation_problem.hpp"
-
 #include <gtest/gtest.h>
 
 #include <chrono>
-
+#include <cmath>
 
 #include "core/base/random.hpp"
+#include "identify/pipeline/equation_problem.hpp"
+#include "identify/pipeline/equation_terms.hpp"
+#include "identify/pipeline/given_rates.hpp"
 #include "lacuna/bases/monomials.hpp"
+#include "lacuna/core/base/error.hpp"
 #include "lacuna/identify/pipeline/presets.hpp"
+#include "lacuna/model/files/ode_text.hpp"
 #include "unit/identify/pipeline/records.hpp"
 
 namespace lacuna {
@@ -42,13 +45,6 @@ EquationProblem problem_of(const Dataset& data, const Pipeline& pipeline,
       equation_libraries(pipeline.basis->library(variables_of(data)), data, pipeline), context);
 }
 
-TEST(EquationProblem, HasAllCandidatesAndTheFilterWithoutADeadline) {
-  const EquationProblem problem = problem_of(random_record(300, 3), algorithm1(), {});
-  EXPECT_EQ(problem.system.terms(), 20);
-  EXPECT_EQ(problem.left_out, 0);
-  EXPECT_TRUE(problem.is_filtered);
-}
-
 TEST(EquationProblem, PastTheDeadlineALargeLibraryLosesItsHighestDegrees) {
   // 1.01e9 products of 286 candidates and 10 targets; those up to degree 2 are 66.
   const Dataset data = random_record(11500, 10);
@@ -58,13 +54,6 @@ TEST(EquationProblem, PastTheDeadlineALargeLibraryLosesItsHighestDegrees) {
   EXPECT_EQ(problem.left_out, 220);
   EXPECT_FALSE(problem.is_filtered);
   EXPECT_EQ(problem.filtered.kept.size(), 66U);
-}
-
-TEST(EquationProblem, PastTheDeadlineASmallLibraryIsWhole) {
-  const EquationProblem problem =
-      problem_of(random_record(300, 3), algorithm1(), past_the_deadline());
-  EXPECT_EQ(problem.system.terms(), 20);
-  EXPECT_EQ(problem.left_out, 0);
 }
 
 TEST(EquationProblem, WhatCannotBeReadInTimeIsNotBegun) {
@@ -83,19 +72,113 @@ TEST(EquationProblem, PastTheDeadlineTooFewSamplesAreAnError) {
   EXPECT_THROW(problem_of(random_record(11500, 40), algorithm1(), past_the_deadline()), DataError);
 }
 
-/// A member of a team of one, which has nothing to exchange.
-class Alone final : public Team {
- public:
-  int size() const override { return 1; }
-  int rank() const override { return 0; }
-  void broadcast(std::span<double>, int) const override {}
-};
+/// A circle: x' = -y, y' = x.
+Dataset circle() {
+  Dataset data;
+  data.states = {{"x", ""}, {"y", ""}};
+  Trajectory& record = data.trajectories.emplace_back();
+  record.time = Vector::LinSpaced(400, 0.0, 10.0);
+  record.states.resize(400, 2);
+  record.states << record.time.array().cos(), record.time.array().sin();
+  record.inputs.resize(400, 0);
+  return data;
+}
 
-TEST(EquationProblem, ATeamTakesItsTime) {
-  const Alone team;
-  RunContext context = past_the_deadline();
-  context.team = &team;
-  EXPECT_TRUE(problem_of(random_record(300, 3), algorithm1(), context).is_filtered);
+TermLibrary linear_library() {
+  return Stage<Basis>(Monomials{{.max_degree = 1}})->library({{"x", "y"}, {}});
+}
+
+EquationLibraries libraries(std::vector<EquationTerms> equations) {
+  Pipeline pipeline = algorithm1();
+  pipeline.equations = std::move(equations);
+  return equation_libraries(linear_library(), circle(), pipeline);
+}
+
+TEST(EquationTerms, WidenTheLibraryAndKeepToTheirEquation) {
+  const EquationLibraries found = libraries({{"dx", {"sin(y)", "y"}}});
+  EXPECT_EQ(found.library.names(), (std::vector<std::string>{"1", "x", "y", "sin(y)"}));
+  EXPECT_EQ(found.allowed[0], (TermSet{2, 3}));
+  EXPECT_EQ(found.allowed[1], (TermSet{0, 1, 2}));
+  EXPECT_EQ(found.own, (std::vector<bool>{true, false}));
+}
+
+TEST(EquationTerms, ErrorsNameTheEquation) {
+  EXPECT_THROW(libraries({{"z", {"x"}}}), ConfigError);
+  EXPECT_THROW(libraries({{"x", {}}}), ConfigError);
+  EXPECT_THROW(libraries({{"x", {"y"}}, {"dx/dt", {"x"}}}), ConfigError);
+  EXPECT_THROW(libraries({{"x", {"q"}}}), ModelError);
+}
+
+TEST(EquationTerms, OnlyTheyStandInTheModel) {
+  for (const char* name : {"algorithm1", "robust", "sindy"}) {
+    Pipeline pipeline = preset(name);
+    pipeline.equations = {{"x", {"y", "y^3"}}, {"y", {"x", "x^2"}}};
+    const IdentificationResult result = identify(circle(), pipeline);
+    ASSERT_EQ(result.model.equations()[0].size(), 1U) << name;
+    EXPECT_NEAR(result.model.coefficient(0, "y"), -1.0, 1e-3) << name;
+    ASSERT_EQ(result.model.equations()[1].size(), 1U) << name;
+    EXPECT_NEAR(result.model.coefficient(1, "x"), 1.0, 1e-3) << name;
+    for (const TrailEntry& entry : result.trail)
+      if (entry.equation == "x" && entry.term == "x") {
+        EXPECT_EQ(entry.stage, "library") << name;
+      }
+  }
+}
+
+TEST(EquationTerms, ABoundAdmitsWhatItsInequalityDoes) {
+  for (const auto relation : {ConstraintRelation::AtMost, ConstraintRelation::AtLeast}) {
+    Pipeline pipeline = algorithm1();
+    pipeline.constraints = {{{{"x", "x", 2.0}, {"x", "y", 3.0}}, 5.0, relation}};
+    const auto bounds = equation_libraries(linear_library(), circle(), pipeline).bounds;
+    ASSERT_EQ(bounds.size(), 1U);
+    ASSERT_EQ(bounds[0].summands.size(), 2U);
+    for (const double a : {-2.0, 0.0, 4.0})
+      for (const double b : {-1.5, 0.5, 2.0}) {
+        const bool admitted =
+            bounds[0].summands[0].factor * a + bounds[0].summands[1].factor * b <=
+            bounds[0].value;
+        const double sum = 2.0 * a + 3.0 * b;
+        EXPECT_EQ(admitted, relation == ConstraintRelation::AtMost ? sum <= 5.0 : sum >= 5.0);
+      }
+  }
+}
+
+/// x = cos t with dx/dt = -sin t, both with noise.
+Dataset turning(double state_noise, double rate_noise) {
+  constexpr Index kSamples = 4000;
+  Random random(7);
+  Trajectory run{"run", Vector::LinSpaced(kSamples, 0.0, 40.0), Matrix(kSamples, 1),
+                 Matrix(kSamples, 0), Matrix(kSamples, 1)};
+  for (Index n = 0; n < kSamples; ++n) {
+    run.states(n, 0) = std::cos(run.time[n]) + state_noise * random.normal();
+    run.derivatives(n, 0) = -std::sin(run.time[n]) + rate_noise * random.normal();
+  }
+  return {"s", {{"x", ""}}, {}, {run}, {}, {}};
+}
+
+TEST(GivenRates, LeaveTheirNoiseAndThatOfTheStatesThroughTheRates) {
+  const OdeModel model = parse_ode("dx/dt = -2*x + x^2", "model");
+  const Vector exact = noise_of_given_rates(model, turning(0.0, 0.0), Vector::Zero(1));
+  EXPECT_NEAR(exact[0], kRoundingOfRates * std::sqrt(0.5), 0.05 * kRoundingOfRates);
+  const Vector own = noise_of_given_rates(model, turning(0.0, 0.03), Vector::Zero(1));
+  EXPECT_NEAR(own[0], 0.03, 0.003);
+  // (2 x - 2)^2 is 6 on average over turns.
+  const Vector both = noise_of_given_rates(model, turning(0.01, 0.03), Vector{{0.01}});
+  EXPECT_NEAR(both[0], std::hypot(0.03, 0.01 * std::sqrt(6.0)), 0.004);
+}
+
+TEST(GivenRates, DecideOnlyFarAboveTheirNoiseAndAtRounding) {
+  const OdeModel model = parse_ode("dx/dt = -2*x + x^2", "model");
+  const Dataset data = turning(0.0, 0.03);
+  std::vector<EquationFit> fits(1);
+  const auto has_floor = [&](double residual) {
+    fits[0] = {.equation = "x", .residual_rms = residual};
+    note_floors_of_given_rates(model, data, Vector::Zero(1), fits);
+    return fits[0].noise_floor.has_value();
+  };
+  EXPECT_TRUE(has_floor(0.1));
+  EXPECT_FALSE(has_floor(0.03));
+  EXPECT_TRUE(has_floor(1e-10));
 }
 
 }  // namespace

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/identify/pipeline/presets.hpp"
+#include <gtest/gtest.h>
 
-#include <chrono>
-
-#include "lacuna/bases/monomials.hpp"
 #include "lacuna/data/derivatives/finite_differences.hpp"
 #include "lacuna/dynamics/integration/synchroniser.hpp"
+#include "lacuna/identify/pipeline/presets.hpp"
+#include "lacuna/identify/pipeline/validation.hpp"
 #include "lacuna/regression/formulations/strong_form.hpp"
 #include "support/expect_error.hpp"
 #include "unit/identify/pipeline/records.hpp"
@@ -14,13 +13,6 @@ namespace lacuna {
 namespace {
 
 using testing::rossler_record;
-
-TEST(Presets, AreFoundByName) {
-  ASSERT_FALSE(presets().empty());
-  for (const Preset& entry : presets())
-    EXPECT_EQ(preset(entry.name).regressor->info().name,
-              entry.make(Tolerances::Repaired).regressor->info().name);
-}
 
 TEST(Presets, UnknownNameSuggestsTheNearest) {
   testing::expect_error<ConfigError>([] { preset("algoritm1"); }, "preset", "algoritm1",
@@ -78,6 +70,18 @@ TEST(PaperTolerances, GiveTenTimesSmallerErrorsWithDifferencesOfOrder10) {
   EXPECT_NEAR(sync.median, 9.8e-4, 0.25 * 9.8e-4);
   EXPECT_NEAR(sync.mean, 1.4e-3, 0.25 * 1.4e-3);
   EXPECT_NEAR(sync.relative, 6.0e-5, 0.25 * 6.0e-5);
+}
+
+double fraction_of(double error, double noise, bool seen, double motion) {
+  return PredictionError{"x", error, noise, seen, motion, 100.0, 0.0}.fraction();
+}
+
+TEST(PredictionError, FractionIsBeyondTheNoiseThatIsSeen) {
+  EXPECT_DOUBLE_EQ(fraction_of(5.0, 3.0, true, 5.0), 1.0);
+  EXPECT_DOUBLE_EQ(fraction_of(5.0, 4.0, true, std::sqrt(16.0 + 144.0)), 3.0 / 12.0);
+  EXPECT_DOUBLE_EQ(fraction_of(2.0, 3.0, true, 5.0), 0.0);
+  EXPECT_DOUBLE_EQ(fraction_of(5.0, 3.0, true, 3.0), 4.0 / 3.0) << "nothing moves";
+  EXPECT_DOUBLE_EQ(fraction_of(2.0, 3.0, false, 4.0), 0.5) << "is not taken off";
 }
 
 }  // namespace

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "identify/validation/map_predictions.hpp"
 
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -59,14 +58,6 @@ TEST(MapPredictions, NoiseIsThatOfTheDisturbance) {
   }
 }
 
-TEST(MapPredictions, WhatAModelLacksIsNoNoise) {
-  const Dataset data = orbit_of_map(logistic, Vector{{0.3}}, 1000);
-  const OdeModel lacks = parse_ode("x[n+1] = 0.9 - 0.3*x\n", "test");
-  const PredictionTest test = predict_map(lacks, data, whole(data), 1);
-  EXPECT_GT(test.states[0].error, 0.1);
-  EXPECT_LT(test.states[0].noise, 0.02 * test.states[0].error);
-}
-
 TEST(MapPredictions, NoiseIsNotSeenWhereNoNeighbourIsNear) {
   // Eight independent maps: a thousand points fill no space of eight dimensions.
   const auto eight = [](const Vector& x) {
@@ -87,12 +78,6 @@ TEST(MapPredictions, OrbitsWithoutABoundAreLost) {
   const PredictionTest test = predict_map(wild, data, whole(data), 4);
   EXPECT_EQ(test.windows, 96);
   EXPECT_GT(2 * test.lost, test.windows);
-}
-
-TEST(MapPredictions, OnlyPairsInsideBlocksCount) {
-  const Dataset data = orbit_of_map(logistic, Vector{{0.3}}, 100);
-  const PredictionTest test = predict_map(logistic_model(), data, {{0, 10, 5}, {0, 50, 11}}, 4);
-  EXPECT_EQ(test.windows, 1 + 7);
 }
 
 TEST(MapPredictions, VerdictOfMaps) {
@@ -120,21 +105,6 @@ TEST(MapPredictions, NoiseOfTheMeasurementIsNotTakenForStructure) {
   }
 }
 
-TEST(MapPredictions, ABoundOfTheNoiseHasTheSlopesOfTheMap) {
-  // Residuals of the fixed right-hand side 0.5 x are white: error = noise sqrt(1 + 0.25) at
-  // most.
-  const auto half = [](const Vector& x) { return Vector{{0.5 * x[0]}}; };
-  const Dataset data = orbit_of_map(half, Vector{{0.0}}, 2000, {.disturbance = 1.0, .seed = 3});
-  const OdeModel off = parse_ode("x[n+1] = 0.5*x + 0.4\n", "test");
-  ValidationOptions strict;
-  strict.noise_slack = 0.0;
-  strict.scatter = 0.0;
-  const PredictionError state = predict_map(off, data, whole(data), 1, strict).states[0];
-  EXPECT_FALSE(state.noise_estimated);
-  EXPECT_NEAR(state.error, std::sqrt(1.0 + 0.4 * 0.4), 0.05);
-  EXPECT_NEAR(state.noise, std::sqrt(1.25), 0.06);
-}
-
 TEST(MapPredictions, SlopesOfSeveralStepsAreAProduct) {
   // Two steps of 0.7 x: noise of sqrt(1 + 0.7^2), an offset of 0.245 (1 + 0.7), a slope of
   // 0.7^2.
@@ -158,12 +128,6 @@ TEST(MapPredictions, ACubicApproximatesASine) {
   EXPECT_EQ(cubic.verdict, ValidationVerdict::Approximation) << cubic.sentence;
   const Validation sine = validated_map(data, {"1", "sin(3.14159*x)"});
   EXPECT_EQ(sine.verdict, ValidationVerdict::FitsToNoise) << sine.sentence;
-}
-
-TEST(MapPredictions, FewSamplesTellNothing) {
-  const Validation validation =
-      validated_map(orbit_of_map(logistic, Vector{{0.3}}, 60), {"x", "x^2"});
-  EXPECT_EQ(validation.verdict, ValidationVerdict::Undecided) << validation.sentence;
 }
 
 TEST(MapPredictions, OtherRecordsAreJudgedByTheModelAsItIs) {

@@ -49,10 +49,6 @@ TEST(WeakProjection, RowsHoldWithoutADerivative) {
   }
 }
 
-TEST(WeakProjection, HasNoRowsWhereTheSupportDoesNotFit) {
-  EXPECT_EQ(weak_projection(oscillation(20), {0.2, 6}, 0.05).rows(), 0);
-}
-
 TEST(Projection, CovarianceIsThatOfTheRowsUnderNoiseOfTheSamples) {
   // Rows of dq/dt = q^2 + 3 q v: what noise on q and v does to them, by differences.
   const Trajectory record = uneven(60);

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/regression/formulations/weak_form.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "core/base/random.hpp"
+#include "lacuna/regression/formulations/integral_form.hpp"
+#include "lacuna/regression/formulations/weak_form.hpp"
 #include "lacuna/regression/linear/subproblem.hpp"
 #include "regression/formulations/test_functions.hpp"
 #include "support/oscillation.hpp"
@@ -69,6 +69,23 @@ TEST(ChooseTestFunction, KeepsWhatIsGiven) {
 TEST(ChooseTestFunction, FitsIntoShortRecords) {
   const TestFunction phi = choose_test_function(noisy(0.1, 30));
   EXPECT_LE(4.0 * phi.radius, 0.29 + 1e-12);
+}
+
+TermLibrary terms() {
+  TermLibrary library{{{"x", "v"}, {"u"}}, {}};
+  for (const char* text : {"x", "v"})
+    library.terms.push_back(Term::parse(text, library.variables));
+  return library;
+}
+
+TEST(IntegralForm, FindsAnOscillatorsCoefficients) {
+  const auto system = IntegralForm{{.span = 20}}.assemble(oscillation_data(), terms());
+  EXPECT_EQ(system.rows(), 38);
+  EXPECT_LT((system.subproblem(1, {0, 1}).solve() - Eigen::Vector2d(-4, 0)).norm(), 1e-6);
+}
+
+TEST(IntegralForm, RefusesASpanBeyondTheRecord) {
+  EXPECT_THROW(IntegralForm{{.span = 500}}.assemble(oscillation_data(), terms()), DataError);
 }
 
 }  // namespace

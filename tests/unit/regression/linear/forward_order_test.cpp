@@ -7,8 +7,6 @@
 #include <algorithm>
 #include <random>
 
-#include "lacuna/core/base/error.hpp"
-
 namespace lacuna {
 namespace {
 
@@ -77,43 +75,6 @@ TEST(ForwardOrder, TheGramGivesTheSameOrder) {
     EXPECT_EQ(direct.columns, products.columns);
     EXPECT_NEAR(direct.left, products.left, 1e-10);
   }
-}
-
-TEST(ForwardOrder, TakesOnlyThoseThatItMay) {
-  const Matrix a = random_numbers(60, 9, 11);
-  const Vector y = 3.0 * a.col(2) + a.col(5) - a.col(8) + 0.01 * random_numbers(60, 1, 12);
-  const ForwardLimits limits{.first = {}, .fewest = 2, .enough = 1e9, .only = {0, 5, 8}};
-  Matrix all(60, 10);
-  all << a, y;
-  for (const ForwardOrder& order :
-       {forward_order(a, y, limits),
-        forward_order_in_gram(all.transpose() * all, 9, 9, limits)}) {
-    std::vector<Index> taken = order.columns;
-    std::sort(taken.begin(), taken.end());
-    EXPECT_EQ(taken, (std::vector<Index>{5, 8}));
-  }
-}
-
-TEST(ForwardOrder, EndsOnRequest) {
-  std::stop_source source;
-  source.request_stop();
-  RunContext context;
-  context.stop = source.get_token();
-  const Matrix a = random_numbers(30, 6, 7);
-  EXPECT_THROW(forward_order(a, a.col(2), {.fewest = 3}, context), Cancelled);
-}
-
-TEST(ForwardOrder, NumbersAndShapesHaveToFit) {
-  const Matrix a = Matrix::Identity(3, 3);
-  EXPECT_THROW(forward_order(a, Vector::Ones(2), {}), ArgumentError);
-  for (const Index j : {Index{-1}, Index{3}}) {
-    EXPECT_THROW(forward_order(a, Vector::Ones(3), {.first = {j}}), ArgumentError);
-    EXPECT_THROW(forward_order_in_gram(a, 2, j, {}), ArgumentError);
-  }
-  EXPECT_THROW(forward_order_in_gram(a, 3, 2, {}), ArgumentError);
-  EXPECT_THROW(forward_order_in_gram(a, -1, 2, {}), ArgumentError);
-  EXPECT_THROW(forward_order_in_gram(a, 2, 2, {.first = {2}}), ArgumentError);
-  EXPECT_THROW(forward_order_in_gram(Matrix::Ones(3, 2), 1, 1, {}), ArgumentError);
 }
 
 }  // namespace

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/regression/linear/row_source.hpp"
-
 #include <gtest/gtest.h>
 
+#include <limits>
+
 #include "lacuna/core/base/error.hpp"
+#include "lacuna/regression/linear/row_source.hpp"
+#include "regression/linear/weighted_rows.hpp"
 
 namespace lacuna {
 namespace {
@@ -20,19 +22,6 @@ TEST(RowSource, ReadsTheRowsThatAreAskedFor) {
   rows->open()->read(20, read_theta, read_targets);
   EXPECT_EQ(read_theta, theta.middleRows(20, 7));
   EXPECT_EQ(read_targets, targets.middleRows(20, 7));
-}
-
-TEST(RowSource, ReadersAreIndependent) {
-  const auto rows = make_row_source(Matrix::Random(50, 1), Matrix::Random(50, 1));
-  const auto first = rows->open();
-  const auto second = rows->open();
-  Matrix a(5, 1);
-  Matrix b(5, 1);
-  Matrix y(5, 1);
-  first->read(10, a, y);
-  second->read(30, b, y);
-  first->read(30, a, y);
-  EXPECT_EQ(a, b);
 }
 
 TEST(RowSource, RejectsDifferentNumbersOfRows) {
@@ -53,6 +42,21 @@ TEST(KeptInMemory, HoldsTheSameRows) {
 TEST(KeptInMemory, LeavesRowsThatTakeTooMuchToTheirSource) {
   const auto source = make_row_source(Matrix::Random(50, 3), Matrix::Random(50, 2));
   EXPECT_EQ(kept_in_memory(source, 50 * 5 * 8 - 1), source);
+}
+
+TEST(WeightedRows, RefuseWeightsThatAreNegativeOrNotFinite) {
+  const auto rows = make_row_source(Matrix::Ones(20, 1), Matrix::Ones(20, 1));
+  for (const double bad : {-1.0, std::numeric_limits<double>::infinity(),
+                           std::numeric_limits<double>::quiet_NaN()}) {
+    const auto weights = [bad](const Eigen::Ref<const Vector>&, Eigen::Ref<Vector> w) {
+      w.setOnes();
+      w[3] = bad;
+    };
+    const auto weighted = make_weighted_rows(*rows, {0, {0}, Vector::Ones(1)}, weights);
+    Matrix theta(8, 1);
+    Matrix target(8, 1);
+    EXPECT_THROW(weighted->open()->read(8, theta, target), ArgumentError);
+  }
 }
 
 }  // namespace

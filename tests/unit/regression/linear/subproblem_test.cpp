@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
-#include <cmath>
 
 #include "lacuna/core/base/error.hpp"
 #include "lacuna/regression/linear/least_squares_system.hpp"

@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/LU>
-#include <cmath>
 #include <vector>
 
 #include "support/grey_box.hpp"
@@ -115,30 +114,6 @@ TEST(EstimatedSizes, OneChannelHasTheDegreesOfFreedomOfStudentsQuantile) {
   for (const double freedom : found.freedom) EXPECT_NEAR(freedom, 12.0 - 4.0, 1e-6);
   EXPECT_LT(found.added.cwiseAbs().maxCoeff(),
             1e-9 * (at.linear.reduced.topLeftCorner(2, 2).inverse()).squaredNorm());
-}
-
-TEST(EstimatedSizes, OfAMeanOfTwoInstruments) {
-  // One number in two channels that show it alike, p = 1/2 each: its variance is larger by
-  // 4 sum p (1 - p) / n and has the freedom n / sum p^2 (Meier, Biometrics 9:59-73, 1953).
-  constexpr double kCount = 400.0;
-  const OdeModel truth = parse_ode("dx/dt = 0.5\ny = x\nz = 3*x\n", "t.ode");
-  const Dataset data =
-      support::grey_box(truth, {.start = Vector::Zero(1), .step = 0.01, .samples = 400,
-                                .noise = 0.1});
-  Settled at("param k = 0.4\ndx/dt = k\ny = x\nz = 3*x\ninitial x = 0 fixed\n", data);
-  const EstimatedSizes found = at.sizes();
-  const double variance = 1.0 / std::pow(at.linear.reduced(0, 0), 2);
-  EXPECT_NEAR(found.freedom[0], 2.0 * kCount, 0.03 * kCount);
-  EXPECT_NEAR(found.added(0, 0) / variance, 2.0 / kCount, 0.1 / kCount);
-}
-
-TEST(EstimatedSizes, OfANumberWithoutEffectAreThoseOfTheFit) {
-  Settled at(kModel + std::string("param q = 1\ny = x + 1e-200*q\nz = z\n"),
-             records_of(1, "y = x\nz = z\n"));
-  const EstimatedSizes found = at.sizes();
-  ASSERT_EQ(found.freedom.size(), 3);
-  EXPECT_EQ(found.freedom[2], 24.0 - 5.0);
-  EXPECT_TRUE(found.added.allFinite());
 }
 
 TEST(EstimatedSizes, KnownDeviationsCostNothing) {

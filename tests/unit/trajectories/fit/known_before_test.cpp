@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/base/random.hpp"
+#include "lacuna/core/base/error.hpp"
 #include "lacuna/dynamics/integration/simulate.hpp"
 #include "lacuna/model/files/ode_text.hpp"
 #include "lacuna/trajectories/fit/fit.hpp"
@@ -112,6 +113,7 @@ TEST(KnownBefore, TheStartOfTheModelMayLieBeforeTheFirstSample) {
   EXPECT_TRUE(found.quality[0].white);
   const Fit given_later = fit(system, data, {}, {.start_time = 0.5});
   EXPECT_GT(given_later.numbers.at(0).value, 2.1) << "0 at the first sample, where x is 1";
+  EXPECT_THROW(fit(system, data, {}, {.start_time = 0.6}), DataError) << "behind a sample";
 }
 
 }  // namespace

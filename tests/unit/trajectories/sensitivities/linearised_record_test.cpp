@@ -76,13 +76,6 @@ TEST(LinearisedRecord, AFormulaChannelFollowsTheStatesWithoutAMemory) {
   EXPECT_NEAR(force.row(2).sum(), 0.02 + 2.0 * path(6, 0) * 0.5 * 0.02 * 0.02, 1e-4);
 }
 
-TEST(LinearisedRecord, PathMustFitTheRecord) {
-  const Dataset data = support::hidden_record(support::nothing, 0.0);
-  EXPECT_THROW(linearise(support::oscillator(), data.trajectories.front(), Matrix::Zero(3, 2),
-                         Vector::Constant(2, 1e-6)),
-               ArgumentError);
-}
-
 TEST(LinearisedRecord, APartKeepsItsBridge) {
   LinearisedRecord record = linearised();
   EXPECT_FALSE(part_of(record, 10, 20).is_bridged(0, 1));

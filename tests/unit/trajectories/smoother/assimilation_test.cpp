@@ -20,12 +20,6 @@ Dataset softer_spring() {
   return support::hidden_record([](double, double q, double) { return 0.4 * q; }, 0.01);
 }
 
-TEST(Assimilation, IdentitiesHaveNoFreeCoefficients) {
-  const auto free = free_coefficients(support::oscillator());
-  ASSERT_EQ(free.size(), 3u);
-  EXPECT_EQ(free.front().equation, 1);
-}
-
 TEST(Assimilation, GrowthAtUnitRateIsNoIdentity) {
   const Variables x{{"x"}, {}};
   const OdeModel growth({{"x", ""}}, {}, {{{Term::parse("x", x), 1.0}}});
@@ -77,22 +71,9 @@ TEST(Assimilation, FindsCoefficientsAndNoise) {
   EXPECT_EQ(fit.noise.disturbance[0], 0.0) << "an identity is exact";
 }
 
-TEST(Assimilation, ErrorsOfCoefficientsAreHonest) {
-  const Assimilation fit = fitted(softer_spring());
-  const double error = (fit.model.coefficient(1, "q") + 3.6) / std::sqrt(fit.covariance(0, 0));
-  EXPECT_LT(std::abs(error), 4.0);
-  EXPECT_GT(std::sqrt(fit.covariance(0, 0)), 1e-4);
-}
-
 TEST(Assimilation, TightToleranceHoldsACoefficient) {
   const Assimilation fit = fitted(softer_spring(), {{{1, 0}, -4.0, 1e-6}});
   EXPECT_NEAR(fit.model.coefficient(1, "q"), -4.0, 1e-3);
-}
-
-TEST(Assimilation, MissingTermsAppearAsDisturbance) {
-  const Assimilation fit = fitted(support::hidden_record(
-      [](double, double, double v) { return -0.3 * (v > 0 ? 1 : -1); }, 0.01));
-  EXPECT_GT(fit.noise.disturbance[1], 0.03);
 }
 
 TEST(Assimilation, NoiseThatHasShrunkComesBack) {
