@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <cmath>
 #include <numbers>
 
@@ -256,6 +257,21 @@ TEST(Comparison, WhatIsBeyondTheRangeOfNumbersDoesNotAgree) {
   Dataset huge = lorenz(1.0, 28.0);
   huge.trajectories[0].states *= 1e300;
   EXPECT_THROW(compare_attractors(huge, huge), DataError);
+}
+
+TEST(Comparison, PastTheDeadlineMeasuresAreLeftOut) {
+  const Dataset orbit = lorenz(1.0, 28.0);
+  RunContext context;
+  context.progress = [&](const Progress&) {
+    context.deadline = std::chrono::steady_clock::now();
+  };
+  const auto measures = compare_attractors(orbit, orbit, context);
+  ASSERT_EQ(measures.size(), 6u);
+  for (std::size_t i = 0; i < measures.size(); ++i) {
+    EXPECT_EQ(measures[i].left_out, i >= 3) << measures[i].name;  // extents take no time
+    EXPECT_EQ(measures[i].agree.has_value(), i < 3) << measures[i].name;
+  }
+  EXPECT_THROW(compare_attractors(orbit, orbit, context), OutOfTime);
 }
 
 Divergence divergence_of(const std::string& name, double h, Index n) {

@@ -3,9 +3,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <cmath>
 
 #include "lacuna/core/base/error.hpp"
+#include "lacuna/dynamics/integration/automatic.hpp"
+#include "lacuna/dynamics/integration/cvode.hpp"
 #include "lacuna/dynamics/integration/integrator.hpp"
 #include "lacuna/dynamics/integration/record_input.hpp"
 #include "lacuna/dynamics/integration/runge_kutta.hpp"
@@ -213,6 +216,24 @@ TEST(Integrator, StopRequestEndsTheRun) {
   context.stop = source.get_token();
   EXPECT_THROW(Rk4{}.integrate(oscillator, Vector{{1.0, 0.0}}, times(0.1, 10), context),
                Cancelled);
+}
+
+/// Between two samples there may be any number of steps.
+TEST(Integrator, ADeadlineEndsARunBetweenTwoSamples) {
+  std::vector<Stage<Integrator>> adaptive{Dopri5{}, Automatic{}};
+  if (Cvode::unavailable().empty()) adaptive.emplace_back(Cvode{});
+  for (const auto& integrator : adaptive) {
+    RunContext context;
+    int evaluations = 0;
+    const auto rates = [&](double t, const double* x, double* dxdt) {
+      if (++evaluations == 1000) context.deadline = std::chrono::steady_clock::now();
+      oscillator(t, x, dxdt);
+    };
+    EXPECT_THROW(integrator->integrate(rates, Vector{{1.0, 0.0}}, Vector{{0.0, 1e4}}, context),
+                 OutOfTime)
+        << integrator->info().name;
+    EXPECT_LT(evaluations, 2000) << integrator->info().name;
+  }
 }
 
 Trajectory sine(Index n, double h) {

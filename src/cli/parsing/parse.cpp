@@ -1,26 +1,46 @@
 // SPDX-License-Identifier: MIT
-#include "option_values.hpp"
-
+// The one source that knows CLI11: commands as values go in, and what is asked for comes out.
+#include <CLI/CLI.hpp>
 #include <algorithm>
-#include <cmath>
-#include <limits>
+#include <utility>
 
 #include "core/base/text.hpp"
+#include "options.hpp"
 
 namespace lacuna::cli {
 namespace {
 
-/// An end of a range: whole numbers without an exponent.
-std::string end_text(double end) {
-  constexpr double kLongest = 1e15;  // a fact: whole numbers below are exact in a double
-  const bool whole = std::abs(end) < kLongest && end == std::floor(end);
-  return whole ? std::to_string(static_cast<long long>(end)) : format_number(end);
+/// What the parser knows of a command.
+struct Parser {
+  CLI::App* app;
+  std::vector<CLI::Option*> options;  ///< one for each of the command
+};
+
+CLI::Option* declared(CLI::App& app, const Option& option) {
+  const auto declare = [&](const auto& target) -> CLI::Option* {
+    using Place = std::decay_t<decltype(target)>;
+    if constexpr (std::is_same_v<Place, Reader>)
+      return app.add_option(option.names)->check(target, "");
+    else if constexpr (std::is_same_v<Place, bool*>)
+      return app.add_flag(option.names, *target);
+    else
+      return app.add_option(option.names, *target);
+  };
+  CLI::Option* made = std::visit(declare, option.target);
+  if (option.checked.fault) made->check(option.checked.fault, "");
+  if (option.is_single) made->expected(1);
+  return made->required(option.is_required);
 }
 
-std::string none_of(const std::string& word, const std::vector<std::string>& words) {
-  const auto near = nearest_name(word, words);
-  return "'" + word + "' is none of " + join(words, ", ") +
-         (near ? "; did you mean '" + *near + "'?" : "");
+Parser declared(CLI::App& root, const Command& command) {
+  Parser parser{root.add_subcommand(command.name), {}};
+  parser.app->set_help_all_flag("--help-all");
+  for (const Option& option : command.options)
+    parser.options.push_back(declared(*parser.app, option));
+  for (std::size_t i = 0; i < command.options.size(); ++i)
+    if (const std::string& other = command.options[i].excluded; !other.empty())
+      parser.options[i]->excludes(parser.app->get_option(other));
+  return parser;
 }
 
 /// Names of all commands, or of all options of a command.
@@ -98,60 +118,8 @@ std::string about_count(const CLI::Option& option) {
   return option.get_name() + ": the value is missing";
 }
 
-}  // namespace
-
-CLI::Validator from_to(double low, double high) {
-  const std::string range = end_text(low) + " to " + end_text(high);
-  return {[low, high, range](std::string& text) {
-            const auto value = parse_number(text);
-            if (value && *value >= low && *value <= high) return std::string();
-            return "'" + text + "' is no number from " + range;
-          },
-          range};
-}
-
-CLI::Validator finite() {
-  return {[](std::string& text) {
-            const auto value = parse_number(text);
-            // What is no number at all is refused where it is read.
-            if (!value || std::isfinite(*value)) return std::string();
-            return "'" + text + "' is no finite number";
-          },
-          ""};
-}
-
-CLI::Validator above_zero() {
-  return {[](std::string& text) {
-            const auto value = parse_number(text);
-            if (value && *value > 0.0 && std::isfinite(*value)) return std::string();
-            return "'" + text + "' is no number above 0";
-          },
-          "above 0"};
-}
-
-CLI::Validator one_of(std::vector<std::string> words) {
-  const std::string shown = join(words, "|");
-  return {[words = std::move(words)](std::string& text) {
-            const bool known = std::find(words.begin(), words.end(), text) != words.end();
-            return known ? std::string() : none_of(text, words);
-          },
-          shown};
-}
-
-CLI::Validator number_of(std::map<std::string, int> numbers) {
-  return {[numbers = std::move(numbers)](std::string& text) {
-            const auto found = numbers.find(text);
-            if (found == numbers.end()) {
-              std::vector<std::string> words;
-              for (const auto& [word, number] : numbers) words.push_back(word);
-              return none_of(text, words);
-            }
-            text = std::to_string(found->second);
-            return std::string();
-          },
-          ""};
-}
-
+/// What is wrong with the arguments, in a sentence of its own, with what to do about it.
+/// @param root that was parsed.
 std::string sentence_of(const CLI::ParseError& error, CLI::App& root) {
   const std::vector<CLI::App*> chosen = root.get_subcommands();
   const CLI::App& command = chosen.empty() ? root : *chosen.front();
@@ -173,6 +141,46 @@ std::string sentence_of(const CLI::ParseError& error, CLI::App& root) {
   };
   const std::string name = chosen.empty() ? "lacuna" : "lacuna " + command.get_name();
   return sentence() + "; see `" + name + " --help`";
+}
+
+/// What is to be shown, or what is wrong.
+Asked stopped_by(const CLI::ParseError& error, CLI::App& root) {
+  if (is<CLI::CallForHelp>(error)) return {.what = Asked::For::Help};
+  if (is<CLI::CallForAllHelp>(error)) return {.what = Asked::For::AllHelp};
+  if (is<CLI::CallForVersion>(error)) return {.what = Asked::For::Version};
+  return {.fault = sentence_of(error, root)};
+}
+
+std::vector<GivenOption> given_options(const Command& command, const Parser& parser) {
+  std::vector<GivenOption> given;
+  for (std::size_t i = 0; i < command.options.size(); ++i)
+    if (parser.options[i]->count() > 0)
+      given.push_back({&command.options[i], parser.options[i]->results()});
+  return given;
+}
+
+}  // namespace
+
+Asked parse(std::span<const Command> commands, std::vector<std::string> words) {
+  CLI::App root("", "lacuna");
+  root.set_version_flag("--version");
+  root.require_subcommand(1);
+  std::vector<Parser> parsers;
+  for (const Command& command : commands) parsers.push_back(declared(root, command));
+  Asked asked;
+  try {
+    std::reverse(words.begin(), words.end());
+    root.parse(std::move(words));
+  } catch (const CLI::ParseError& error) {
+    asked = stopped_by(error, root);
+  }
+  const std::vector<CLI::App*> chosen = root.get_subcommands();
+  for (std::size_t i = 0; i < commands.size(); ++i)
+    if (!chosen.empty() && parsers[i].app == chosen.front()) {
+      asked.command = &commands[i];
+      asked.given = given_options(commands[i], parsers[i]);
+    }
+  return asked;
 }
 
 }  // namespace lacuna::cli
