@@ -103,7 +103,7 @@ const StageInfo& method_of(const SyncResult& sync, const Integrator& integrator)
 }
 
 /// Drives a model with its record.
-/// @throws DataError where the record is too short for that.
+/// @throws DataError where the record is too short for that; OutOfTime.
 std::optional<Verification> verify(const IdentificationTask& task, IdentificationResult& found,
                                    const RecordStream& records, const RunContext& context) {
   const Integrator& integrator = *task.integrator;
@@ -115,6 +115,7 @@ std::optional<Verification> verify(const IdentificationTask& task, Identificatio
   else
     options.noise = white_noise(records.noise(context.threads));
   SyncResult sync = synchronise(found.model, driving, integrator, options, context);
+  if (!left_out_line(sync.stages).empty()) throw OutOfTime();
   if (sync.status != IntegrationStatus::Completed)
     found.warnings.push_back("synchronisation with the record failed: " + sync.message);
   else if (!sync.settled)
@@ -172,8 +173,9 @@ void look_further(const IdentificationTask& task, std::optional<Validation> vali
       is_map ? std::nullopt : KnownNoise(found.records.noise(context.threads));
   if (validation && falls_short(*validation) && !is_map)
     run_unless_quick(task, result, kAdviceStage, [&] {
-      validation->advice = advice_for({result, data, task.effects, white_noise(*noise)},
-                                      task.options.advice, context);
+      validation->advice =
+          advice_for({result, data, task.pipeline, task.effects, white_noise(*noise)},
+                     task.options.advice, context);
     });
   if (validation) take_in(*std::move(validation), data, result);
   if (!is_map)

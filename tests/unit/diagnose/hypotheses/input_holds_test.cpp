@@ -24,6 +24,12 @@ ChosenHolds chosen(const Dataset& data) {
 
 std::optional<Hold> hold_of(const ChosenHolds& chosen) { return chosen.model.inputs()[0].hold; }
 
+/// A held force on an oscillator with dry friction, which the model lacks.
+Dataset rubbing() {
+  return support::held_record(Hold::Zero, 2e-3, 9,
+                              [](double v) { return -0.3 * std::tanh(v / 0.01); });
+}
+
 class TrueHold : public ::testing::TestWithParam<Hold> {};
 
 TEST_P(TrueHold, IsTheMostLikelyOne) {
@@ -65,8 +71,7 @@ TEST(InputHolds, OfAnInterpolatedInputNoneIsAsked) {
 }
 
 TEST(InputHolds, WhatIsMissingDoesNotChangeThem) {
-  const auto friction = [](double v) { return -0.3 * std::tanh(v / 0.01); };
-  EXPECT_EQ(hold_of(chosen(support::held_record(Hold::Zero, 2e-3, 9, friction))), Hold::Zero);
+  EXPECT_EQ(hold_of(chosen(rubbing())), Hold::Zero);
 }
 
 TEST(InputHolds, WhatTheModelSaysIsNotAsked) {
@@ -130,9 +135,7 @@ class HoldsBesideFriction : public ::testing::Test {
     return composite;
   }
 
-  support::Asked asked_{
-      .records = observed(support::held_record(
-          Hold::Zero, 2e-3, 9, [](double v) { return -0.3 * std::tanh(v / 0.01); }))};
+  support::Asked asked_{.records = observed(rubbing())};
 };
 
 TEST_F(HoldsBesideFriction, AreJudgedAnew) {

@@ -13,7 +13,7 @@ Gap gap(double before, double after) {
   Gap made;
   made.before = before;
   made.after = after;
-  made.noise_floor = 1.0;
+  made.noise_floor = made.white_floor = 1.0;
   return made;
 }
 
@@ -250,6 +250,30 @@ TEST_F(Answer, CoefficientsAreOffFromBothThresholdsOn) {
   EXPECT_EQ(answer(nameless(0.0)).verdict, Verdict::CoefficientsOnly);
   asked_.options.decision.effect_size = 0.5;  // 0.4 q is about a tenth of the rate
   EXPECT_EQ(answer(nameless(0.0)).verdict, Verdict::NoDiscrepancy);
+}
+
+TEST_F(Answer, WhatExplainsHardlyAnythingStandsApart) {
+  CompositeModel judged = composite("sign(v)");
+  for (const char* form : {"v*abs(v)", "q^3"})
+    judged.explanation.effects.push_back({support::plain_candidate(form), Vector(0), -0.1, 0.01});
+  judged.named = {{.equation = 1, .name = "first", .gap_closed = 4e-4},
+                  {.equation = 1, .name = "second", .gap_closed = 0.9},
+                  {.equation = 1, .name = "third", .gap_closed = 2e-3}};
+  judged.findings = {{.equation = 1, .name = "fourth", .gap_closed = -1e-5}};
+  const auto names = [](const std::vector<NamedEffect>& effects) {
+    std::string all;
+    for (const NamedEffect& effect : effects) all += effect.name + " ";
+    return all;
+  };
+  const Diagnosis found = answer(judged);
+  EXPECT_EQ(names(found.effects), "second third ");
+  EXPECT_EQ(names(found.minor_effects), "first fourth ");
+  judged.findings.clear();
+  judged.named.resize(1);
+  judged.explanation.effects.resize(1);
+  const Diagnosis alone = answer(judged);
+  EXPECT_EQ(names(alone.effects), "first ") << "by itself it is the finding";
+  EXPECT_TRUE(alone.minor_effects.empty());
 }
 
 TEST_F(Answer, WindowsWithoutASolutionAndNoiseWithAMemoryAreNoted) {

@@ -6,8 +6,10 @@
 #include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "diagnose/candidates/candidate_column.hpp"
+#include "diagnose/search/period_search.hpp"
 #include "lacuna/trajectories/sensitivities/linearised_record.hpp"
 #include "support/asked.hpp"
 #include "support/assimilated_oscillator.hpp"
@@ -125,6 +127,24 @@ TEST_F(Scoring, WhatRecursIsInBothHalves) {
               return t < 8.0 ? 3.0 * std::sin(5.0 * t) : 0.0;
             }),
             0.05);
+}
+
+/// A force that repeats every 0.31 m: periods in the range are known to a quarter, and a quarter
+/// of one at a time is tried from two on.
+TEST(PeriodSearch, FindsWhatRepeatsAlongAVariable) {
+  constexpr double kPeriod = 0.31;
+  const auto teeth = [](double, double q, double) {
+    return 1.5 * std::sin(2.0 * std::numbers::pi * q / kPeriod + 0.4);
+  };
+  const Assimilation fit = support::assimilated(support::hidden_record(teeth, 0.002));
+  const auto found = best_period(fit, 1, 0);
+  ASSERT_TRUE(found);
+  const auto q = fit.records.front().path.col(0).array();
+  const double range = q.maxCoeff() - q.minCoeff();
+  EXPECT_NEAR(range / found->longest, range / kPeriod, 0.25);
+  EXPECT_LT(found->shortest, kPeriod);
+  EXPECT_NEAR(static_cast<double>(found->tried), 4.0 * (range / found->shortest - 2.0) + 1.0,
+              1.5);
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Blocks and windows of a record that are predicted by what the others determine.
+// Predictions of what a model has not seen.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -7,17 +7,24 @@
 
 #include "core/base/random.hpp"
 #include "identify/validation/held_blocks.hpp"
+#include "identify/validation/map_predictions.hpp"
+#include "identify/validation/predicted_records.hpp"
 #include "identify/validation/prediction_windows.hpp"
 #include "identify/validation/refit.hpp"
+#include "identify/validation/validate.hpp"
+#include "lacuna/cli/configuration/configuration.hpp"
+#include "lacuna/data/records/marks.hpp"
 #include "lacuna/dynamics/integration/runge_kutta.hpp"
 #include "lacuna/dynamics/test_systems/measurement.hpp"
 #include "lacuna/dynamics/test_systems/test_systems.hpp"
 #include "lacuna/identify/pipeline/presets.hpp"
 #include "lacuna/model/files/ode_text.hpp"
+#include "support/maps.hpp"
 
 namespace lacuna {
 namespace {
 
+// Blocks and windows of a record that are predicted by what the others determine.
 /// Records of so many samples; the one state counts samples through all records.
 Dataset counted(const std::vector<Index>& samples) {
   Dataset data;
@@ -100,6 +107,8 @@ TEST(HeldBlocks, ShortStretchesOfTheRestAreDropped) {
   ASSERT_EQ(rest.trajectories.size(), 1U);
   EXPECT_EQ(rest.trajectories[0].states(0, 0), 15.0);
   EXPECT_EQ(rest.samples(), 15);
+  const Dataset samples = without_blocks(counted({10}), {{0, 1, 3}, {0, 5, 5}}, 1);
+  EXPECT_TRUE(samples.trajectories.empty()) << "one sample is no stretch";
 }
 
 Dataset lorenz_samples(double noise, Index samples) {
@@ -192,6 +201,15 @@ TEST(PredictionWindows, StatesThatWereNotMeasuredTakeTheirFreedom) {
   EXPECT_NEAR(found.squares[0] / found.expected[0], 1.0, 4.0 * std::sqrt(2.0 / 100.0));
 }
 
+TEST(PredictionWindows, WhatAModelLacksIsInTheError) {
+  const PredictedRecord record = turning(2000, 0.05, 1e-6, 2);
+  const OdeModel damped = oscillator().with_term(1, {Term::parse("v", {{"x", "v"}, {}}), -0.1});
+  const WindowResiduals found = predict(damped, record, 2, 1);
+  // One step is off by 0.1 v h in v, of which each sample takes half.
+  const double expected = 0.5 * std::pow(0.1 * 0.05, 2.0) * 0.5 * 1000.0;
+  EXPECT_NEAR(found.squares[1], expected, 0.05 * expected);
+}
+
 TEST(PredictionWindows, InWhichTheModelRunsThoughNotAlongThePathAreNotLost) {
   const OdeModel model = parse_ode("dx/dt = x - x^3", "test");
   const Dataset run = record_of(model, Dopri87{}, Vector{{0.05}}, 0.1, 60);
@@ -207,6 +225,168 @@ TEST(PredictionWindows, InWhichTheModelRunsThoughNotAlongThePathAreNotLost) {
   const WindowResiduals again = predict(model, record, 20, 2);
   EXPECT_EQ(again.lost + again.unstarted, 0);
   EXPECT_LT(std::sqrt(again.squares[0] / again.freedom[0]), 1e-5);
+}
+
+using namespace lacuna::testing;
+
+OdeModel logistic_model() { return parse_ode("x[n+1] = 3.9*x - 3.9*x^2\n", "test"); }
+
+std::vector<Block> whole(const Dataset& data) { return all_blocks(data); }
+
+Validation validated_map(const Dataset& data, const std::vector<std::string>& terms = {}) {
+  Configuration configuration;
+  configuration.set_discrete();
+  if (!terms.empty()) {
+    std::string list;
+    for (const std::string& term : terms) list += (list.empty() ? "" : ",") + term;
+    configuration.set_terms(list);
+  }
+  const Pipeline pipeline = configuration.build(default_registry());
+  const IdentificationResult found = identify(data, pipeline);
+  return validate({found, data, pipeline});
+}
+
+TEST(MapPredictions, AnExactModelLeavesNothing) {
+  const Dataset data = orbit_of_map(logistic, Vector{{0.3}}, 400);
+  const PredictionTest test = predict_map(logistic_model(), data, whole(data), 3);
+  EXPECT_EQ(test.horizon, 3.0);
+  EXPECT_EQ(test.windows, 397);
+  EXPECT_EQ(test.lost, 0);
+  ASSERT_EQ(test.states.size(), 1u);
+  EXPECT_LT(test.states[0].error, 1e-12);
+  EXPECT_TRUE(test.states[0].noise_estimated);
+  EXPECT_NEAR(test.states[0].freedom, 397.0 / 3.0, 1e-9);
+  const Vector x = data.trajectories[0].states.col(0).tail(397);
+  EXPECT_NEAR(test.states[0].motion, std::sqrt((x.array() - x.mean()).square().mean()), 1e-9);
+}
+
+TEST(MapPredictions, NoiseIsThatOfTheDisturbance) {
+  const Dataset data = orbit_of_map(henon, Vector{{0.1, 0.1}}, 3000, {.disturbance = 2e-3});
+  const OdeModel model = parse_ode("x[n+1] = 1 + y - 1.4*x^2\ny[n+1] = 0.3*x\n", "test");
+  const PredictionTest test = predict_map(model, data, whole(data), 1);
+  ASSERT_FALSE(test.states.empty());
+  for (const PredictionError& state : test.states) {
+    EXPECT_NEAR(state.error, 2e-3, 2e-4);
+    EXPECT_NEAR(state.noise, 2e-3, 2e-4);
+    EXPECT_TRUE(state.noise_estimated);
+  }
+}
+
+TEST(MapPredictions, NoiseIsNotSeenWhereNoNeighbourIsNear) {
+  // Eight independent maps: a thousand points fill no space of eight dimensions.
+  const auto eight = [](const Vector& x) {
+    return Vector(3.9 * x.array() * (1.0 - x.array()));
+  };
+  const Dataset data = orbit_of_map(eight, Vector::LinSpaced(8, 0.11, 0.83), 1000);
+  std::string text;
+  for (const Quantity& state : data.states) text += state.name + "[n+1] = 0.5\n";
+  const PredictionTest test = predict_map(parse_ode(text, "test"), data, whole(data), 1);
+  ASSERT_EQ(test.states.size(), 8u);
+  for (const PredictionError& state : test.states)
+    EXPECT_FALSE(state.noise_estimated) << state.state;
+}
+
+TEST(MapPredictions, OrbitsWithoutABoundAreLost) {
+  const Dataset data = orbit_of_map(logistic, Vector{{0.3}}, 100);
+  const OdeModel wild = parse_ode("x[n+1] = exp(1000*x)\n", "test");
+  const PredictionTest test = predict_map(wild, data, whole(data), 4);
+  EXPECT_EQ(test.windows, 96);
+  EXPECT_GT(2 * test.lost, test.windows);
+}
+
+TEST(MapPredictions, VerdictOfMaps) {
+  for (const double disturbance : {0.0, 1e-3, 3e-3}) {
+    const Dataset data =
+        orbit_of_map(henon, Vector{{0.1, 0.1}}, 1000, {.disturbance = disturbance});
+    const Validation right = validated_map(data);
+    EXPECT_EQ(right.verdict, ValidationVerdict::FitsToNoise) << right.sentence;
+    EXPECT_TRUE(right.refitted);
+    EXPECT_EQ(right.time_unit, "steps");
+    const Validation wrong = validated_map(data, {"1", "x", "y"});
+    EXPECT_EQ(wrong.verdict, ValidationVerdict::WrongLibrary) << wrong.sentence;
+  }
+}
+
+TEST(MapPredictions, NoiseOfTheMeasurementIsNotTakenForStructure) {
+  for (const double noise : {1e-3, 5e-3, 2e-2}) {
+    const Dataset data = orbit_of_map(henon, Vector{{0.1, 0.1}}, 2000, {.measured = noise});
+    const Validation right = validated_map(data, {"1", "x", "y", "x^2"});
+    EXPECT_TRUE(right.verdict == ValidationVerdict::FitsToNoise ||
+                right.verdict == ValidationVerdict::Undecided)
+        << noise << " " << right.sentence;
+    const Validation wrong = validated_map(data, {"1", "x", "y"});
+    EXPECT_EQ(wrong.verdict, ValidationVerdict::WrongLibrary) << wrong.sentence;
+  }
+}
+
+TEST(MapPredictions, SlopesOfSeveralStepsAreAProduct) {
+  // Two steps of 0.7 x: noise of sqrt(1 + 0.7^2), an offset of 0.245 (1 + 0.7), a slope of
+  // 0.7^2.
+  const auto map = [](const Vector& x) { return Vector{{0.7 * x[0]}}; };
+  const Dataset data = orbit_of_map(map, Vector{{0.0}}, 4000, {.disturbance = 1.0, .seed = 3});
+  const OdeModel off = parse_ode("x[n+1] = 0.7*x + 0.245\n", "test");
+  ValidationOptions strict;
+  strict.noise_slack = 0.0;
+  strict.scatter = 0.0;
+  const PredictionError state = predict_map(off, data, whole(data), 2, strict).states[0];
+  EXPECT_FALSE(state.noise_estimated);
+  EXPECT_NEAR(state.error, std::sqrt(1.49 + std::pow(0.245 * 1.7, 2)), 0.05);
+  EXPECT_NEAR(state.noise, std::sqrt(1.49 * (1.0 + std::pow(0.7, 4))), 0.06);
+}
+
+TEST(MapPredictions, ACubicApproximatesASine) {
+  const Dataset data =
+      orbit_of_map([](const Vector& x) { return Vector{{0.95 * std::sin(3.14159 * x[0])}}; },
+                   Vector{{0.3}}, 1000);
+  const Validation cubic = validated_map(data, {"1", "x", "x^2", "x^3", "x^4"});
+  EXPECT_EQ(cubic.verdict, ValidationVerdict::Approximation) << cubic.sentence;
+  const Validation sine = validated_map(data, {"1", "sin(3.14159*x)"});
+  EXPECT_EQ(sine.verdict, ValidationVerdict::FitsToNoise) << sine.sentence;
+}
+
+TEST(MapPredictions, OtherRecordsAreJudgedByTheModelAsItIs) {
+  Configuration configuration;
+  configuration.set_discrete();
+  const Pipeline pipeline = configuration.build(default_registry());
+  const Dataset data = orbit_of_map(logistic, Vector{{0.3}}, 300);
+  const IdentificationResult found = identify(data, pipeline);
+  const auto slower = [](const Vector& x) { return Vector{{3.8 * x[0] * (1.0 - x[0])}}; };
+  const Validation same =
+      validate({found, data, pipeline, orbit_of_map(logistic, Vector{{0.6}}, 200)});
+  const Validation other =
+      validate({found, data, pipeline, orbit_of_map(slower, Vector{{0.6}}, 200)});
+  EXPECT_EQ(same.verdict, ValidationVerdict::FitsToNoise) << same.sentence;
+  EXPECT_TRUE(same.given);
+  EXPECT_NE(other.verdict, ValidationVerdict::FitsToNoise) << other.sentence;
+}
+
+/// sin t with noise beside its derivative, which a bad differentiator made.
+TEST(PredictedRecords, OnlyWhatWasMeasuredCountsAndPathsAreNearTheTruth) {
+  constexpr Index kSamples = 2000;
+  Random random(2);
+  Dataset data;
+  data.states = {{"q", ""}, {"q_d1", ""}};
+  data.rate_of = {1, std::nullopt};
+  data.reconstructed = {false, true};
+  Trajectory& record = data.trajectories.emplace_back();
+  record.time = Vector::LinSpaced(kSamples, 0.0, 40.0);
+  record.states = Matrix::Constant(kSamples, 2, 50.0);
+  record.inputs.resize(kSamples, 0);
+  for (Index i = 0; i < kSamples; ++i)
+    record.states(i, 0) = std::sin(record.time[i]) + 0.01 * random.normal();
+  record.states(120, 0) += 1.0;
+  set_mark(record, 150, 0, Mark::Missing);
+  const PredictedRecords all = predicted_records(data, {{0, 100, 500}}, analyse_noise(data));
+  ASSERT_EQ(all.records.size(), 1U);
+  const PredictedRecord& one = all.records[0];
+  EXPECT_TRUE(one.deviations.col(1).isZero(0.0));
+  EXPECT_EQ(one.deviations(20, 0), 0.0) << "an outlier";
+  EXPECT_EQ(one.deviations(50, 0), 0.0) << "missing";
+  EXPECT_EQ((one.deviations.col(0).array() == 0.0).count(), 2);
+  EXPECT_NEAR(all.sigma[0], 0.01, 0.0015);
+  const auto t = one.samples.time.array();
+  EXPECT_LT((one.path.col(0).array() - t.sin()).abs().maxCoeff(), 0.03);
+  EXPECT_LT((one.path.col(1).array() - t.cos()).abs().maxCoeff(), 0.3);
 }
 
 }  // namespace

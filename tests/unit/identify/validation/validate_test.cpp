@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Models beside records that did not choose them.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -9,7 +10,11 @@
 #include "lacuna/core/base/error.hpp"
 #include "lacuna/data/derivatives/finite_differences.hpp"
 #include "lacuna/identify/validation/advice.hpp"
+#include "lacuna/identify/validation/validation_options.hpp"
 #include "lacuna/records/binding/embedding.hpp"
+#include "lacuna/regression/pruners/keep_all.hpp"
+#include "lacuna/solvers/stlsq.hpp"
+#include "lacuna/trajectories/refiners/no_refiner.hpp"
 #include "unit/identify/validation/systems.hpp"
 
 namespace lacuna {
@@ -218,7 +223,7 @@ TEST(Validate, ARefitBeginsWhereTheModelIsAndNotAtRatesThatRoundingTears) {
 std::vector<std::string> advice_on(const Dataset& data, const Pipeline& pipeline) {
   const IdentificationResult found = identify(data, pipeline);
   const std::vector<Stage<Effect>> effects = default_registry().make_all<Effect>();
-  return advice_for({found, data, effects});
+  return advice_for({found, data, pipeline, effects});
 }
 
 TEST(Advice, NamesTheFormThatTheResidualAsksFor) {
@@ -228,6 +233,21 @@ TEST(Advice, NamesTheFormThatTheResidualAsksFor) {
       advice_on(pendulum, testing::with_terms({"1", "th", "w"}));
   EXPECT_THAT(advice, ElementsAre(::testing::AllOf(HasSubstr("dw/dt"), HasSubstr("sin(th"),
                                                    HasSubstr("--add"))));
+}
+
+/// Coefficients below 0.1 are thresholded away: to add such a term is no advice.
+TEST(Advice, WhatThePipelineWouldTakeOutAgainIsNotAdvised) {
+  Pipeline pipeline = testing::with_terms({"1", "x", "v"});
+  pipeline.regressor = Stlsq{{.threshold = 0.1}};
+  pipeline.pruner = KeepAll{};
+  pipeline.refiner = NoRefiner{};
+  const auto advice_with = [&](const std::string& size) {
+    return advice_on(testing::record_of_text("dx/dt = v\ndv/dt = -x + " + size + "*sin(4*x)\n",
+                                             Eigen::Vector2d(2.0, 0.0), 0.01, 3000),
+                     pipeline);
+  };
+  EXPECT_THAT(advice_with("0.5"), ElementsAre(HasSubstr("--add \"sin(x/0.25)\"")));
+  EXPECT_THAT(advice_with("0.05"), ElementsAre(HasSubstr("lacuna diagnose")));
 }
 
 TEST(Advice, PointsToADiagnosisWhereNoFunctionHelps) {
@@ -297,6 +317,37 @@ TEST(TakeIn, WhatPredictionsDoNotTellIsNoClaimBesideTheirVerdict) {
   EXPECT_EQ(result.fit[0].fits_to_noise, true) << "the residuals' word, beside a known noise";
   EXPECT_EQ(result.fit[1].fits_to_noise, false);
   EXPECT_EQ(result.adequacy.fits, Adequate::Undetermined);
+}
+
+TEST(ValidationOptions, StayInTheirRanges) {
+  EXPECT_NO_THROW(checked(ValidationOptions{}));
+  EXPECT_THROW(checked(ValidationOptions{.resolution = -1.0}), ConfigError);
+  EXPECT_THROW(checked(ValidationOptions{.held_every = 1}), ConfigError);
+}
+
+TEST(ValidationOptions, ReachTheVerdict) {
+  const Dataset data = testing::lorenz_record(0.01, 1500);
+  const Pipeline pipeline = algorithm1();
+  const IdentificationResult found = identify(data, pipeline);
+  const auto verdict = [&](const ValidationOptions& options) {
+    return validate({found, data, pipeline}, options).verdict;
+  };
+  EXPECT_EQ(verdict({}), ValidationVerdict::FitsToNoise);
+  EXPECT_EQ(verdict({.least_freedom = 100000}), ValidationVerdict::Undecided);
+}
+
+TEST(ValidationOptions, NoMoreSamplesAreUsedThanATestNeeds) {
+  const Dataset data = testing::lorenz_record(0.01, 6000);
+  const Pipeline pipeline = algorithm1();
+  const IdentificationResult found = identify(data, pipeline);
+  const Validation whole = validate({found, data, pipeline}, {.most_samples = 100000});
+  const Validation few = validate({found, data, pipeline}, {.most_samples = 600});
+  EXPECT_NEAR(double(whole.samples), 1500.0, 100.0);
+  EXPECT_NEAR(double(few.samples), 600.0, 30.0);
+  EXPECT_EQ(few.verdict, whole.verdict) << few.sentence;
+  const Validation long_windows =
+      validate({found, data, pipeline}, {.most_samples = 100, .least_windows = 20});
+  EXPECT_GE(long_windows.windows.windows, 15);
 }
 
 }  // namespace

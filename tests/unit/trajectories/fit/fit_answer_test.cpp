@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What a fit claims, where it sends its user, and fits beside one another.
+#include "trajectories/fit/fit_answer.hpp"
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -90,6 +92,22 @@ TEST(FitNotes, SendNobodyToADiagnosisThatRefuses) {
     EXPECT_THAT(notes, HasSubstr("`lacuna fit ONE.ode TWO.ode DATA` compares structures"));
     EXPECT_THAT(notes, Not(HasSubstr("lacuna diagnose")));
   }
+}
+
+TEST(NotesOf, WhatSearchesCameToSaysWhatToDo) {
+  const auto note = [](int agreeing) {
+    Fit fit = fit_of_one_number(Adequate::Yes, true);
+    fit.converged = true;
+    fit.starts = 3;
+    fit.agreeing = agreeing;
+    return notes_of(fit).front();
+  };
+  EXPECT_THAT(note(3), HasSubstr("all 3 searches"));
+  EXPECT_THAT(note(3), Not(HasSubstr("worse")));
+  EXPECT_THAT(note(2), HasSubstr("2 of 3 searches"));
+  EXPECT_THAT(note(2), HasSubstr("the other one to worse ones"));
+  EXPECT_THAT(note(1), HasSubstr("the best, and the other 2 to worse ones"));
+  EXPECT_THAT(note(1), HasSubstr("--starts"));
 }
 
 Fit fitted(const std::string& text, const Dataset& columns) {

@@ -175,6 +175,8 @@ TEST(Fit, ABoundIsSaidAndHasNoInterval) {
   EXPECT_EQ(number(found, "k").bound, "max");
   EXPECT_EQ(number(found, "k").value, 0.4);
   EXPECT_FALSE(number(found, "k").ci95);
+  ASSERT_TRUE(number(found, "k").at_least);
+  EXPECT_GT(*number(found, "k").at_least, 0.3);
   EXPECT_TRUE(number(found, "x: u").ci95);
   EXPECT_FALSE(found.notes.empty());
 }

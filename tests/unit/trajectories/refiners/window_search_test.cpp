@@ -11,7 +11,7 @@
 #include "lacuna/bases/monomials.hpp"
 #include "support/noisy_records.hpp"
 #include "trajectories/shooting/shooting_fit.hpp"
-#include "trajectories/subset_selection/subset_search.hpp"
+#include "trajectories/subset_selection/subset_problem.hpp"
 
 namespace lacuna {
 namespace {
@@ -97,19 +97,6 @@ TEST(WindowSearch, EndsAtTheLeastSquaresOfTheSimulatedModel) {
     EXPECT_NEAR(fit.rms[k],
                 fit.sigma[k] * std::sqrt(r.col(k).squaredNorm() / (freedom * 500.0 / 1000.0)),
                 1e-3 * fit.rms[k]);
-}
-
-TEST(WindowSearch, ChoosesTheBestSubsetOfItsTriangle) {
-  const OdeModel& model = test_system("van-der-pol").model;
-  SearchCase c(model, noisy_record("van-der-pol", 300, 0.05, 2));
-  ASSERT_TRUE(c.search.fit.rows > 0);
-  const WindowFit& fit = c.search.fit;
-  EXPECT_NEAR(fit.penalty,
-              std::log(static_cast<double>(fit.rows)) +
-                  std::log(static_cast<double>(fit.columns.size())),
-              1e-12);
-  const SubsetProblem again = subset_problem(fit.triangle / std::sqrt(fit.scale));
-  EXPECT_EQ(best_subset(again, fit.penalty, {}, Exchange::Pairs).columns, fit.subset);
 }
 
 TEST(WindowSearch, WindowsOfChaosEndWhereRoundingKeepsPathsFromRest) {

@@ -141,6 +141,25 @@ TEST(Refine, WindowsOfAnOrderlyModelGrowUnlessTheyAreGiven) {
   EXPECT_THROW(refine(model, record, {.window_samples = 1}), ArgumentError);
 }
 
+/// Its windows are simulated in groups.
+TEST(Refine, ALongRecordIsFittedAlikeOnAnyNumberOfThreads) {
+  const ParametrisedModel truth = with_free_coefficients(test_system("van-der-pol").model);
+  const auto found = [&](int threads) {
+    RunContext context;
+    context.threads = threads;
+    return refine(perturbed(truth, 0.01), noisy_record("van-der-pol", 9000, 0.01),
+                  {.window_samples = 45}, context);
+  };
+  const Refinement one = found(1);
+  EXPECT_EQ(one.windows.size(), 200u);
+  EXPECT_LT(worst_score(one, truth.values()), 4.0);
+  for (const int threads : {2, 3}) {
+    const Refinement several = found(threads);
+    EXPECT_EQ(several.model.values(), one.model.values());
+    EXPECT_EQ(several.standard_errors, one.standard_errors);
+  }
+}
+
 TEST(Refine, StatesWithoutAColumnAreReconstructed) {
   const ParametrisedModel truth =
       with_free_coefficients(test_system("pendulum").model, {true, false});

@@ -66,21 +66,6 @@ double score_of(const ShootingFit& fit) {
   return covariance ? 0.5 * covariance->diagonal().array().log().mean() : 1e300;
 }
 
-TEST(WindowSearch, NoOtherLengthKnowsTheParametersMuchBetter) {
-  InexactCase c;
-  const ShootingFit found = search_windows(c.problem, c.fit, c.search(), {});
-  EXPECT_TRUE(found.point.finite);
-  // One standard error of the mean log standard error over 30 blocks.
-  const auto parameters = static_cast<double>(c.problem.model().size());
-  const double margin = 1.0 / std::sqrt(2.0 * 30.0 * parameters);
-  const Index samples = longest_of(found.plan);
-  for (const Index other : {samples / 2, samples, 2 * samples}) {
-    if (other < 4) continue;
-    const ShootingFit fit = c.fit_of(equal_windows(c.problem.record().begins, other));
-    EXPECT_GT(score_of(fit), score_of(found) - margin - 0.05) << other << " of " << samples;
-  }
-}
-
 TEST(WindowSearch, TwiceAsLongWindowsKnowTheParametersLessWell) {
   InexactCase c;
   const double margin =

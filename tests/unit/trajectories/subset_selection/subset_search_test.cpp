@@ -1,14 +1,27 @@
 // SPDX-License-Identifier: MIT
+// Subsets of columns: which may matter, and the best of them.
 #include <gtest/gtest.h>
 
 #include <Eigen/LU>
 #include <algorithm>
 #include <optional>
+#include <set>
+#include <string>
 #include <vector>
 
 #include "core/base/random.hpp"
+#include "lacuna/bases/monomials.hpp"
 #include "lacuna/core/base/error.hpp"
+#include "lacuna/dynamics/integration/runge_kutta.hpp"
+#include "lacuna/dynamics/test_systems/measurement.hpp"
+#include "lacuna/dynamics/test_systems/test_systems.hpp"
 #include "support/correlated_rows.hpp"
+#include "support/lorenz96.hpp"
+#include "support/noisy_records.hpp"
+#include "support/oscillation.hpp"
+#include "trajectories/subset_selection/candidate_screening.hpp"
+#include "trajectories/subset_selection/negligible_columns.hpp"
+#include "trajectories/subset_selection/plain_candidates.hpp"
 #include "trajectories/subset_selection/subset_exchanges.hpp"
 #include "trajectories/subset_selection/subset_problem.hpp"
 #include "trajectories/subset_selection/subset_search.hpp"
@@ -151,6 +164,208 @@ TEST(SubsetSearch, WithoutColumnsNoneIsChosen) {
     const Subset found = best_subset(problem, 12.0, {{}}, exchange);
     EXPECT_TRUE(found.columns.empty());
     EXPECT_DOUBLE_EQ(found.score, 9.0) << "all of the target";
+  }
+}
+
+// Columns that may matter.
+/// A search among quadratic monomials, not begun.
+struct ScreeningCase {
+  explicit ScreeningCase(Index states, double noise = 1e-3)
+      : model(lorenz96(states)),
+        library(Monomials{{.max_degree = 2}}.library(model.variables())),
+        task(search_task(lorenz96_record(states, 1500, noise, 1), {library},
+                         analyse_noise(lorenz96_record(states, 1500, noise, 1)), {})),
+        search(prepared_search(task)) {
+    search.shortest = 20;
+    search.path.windows = windows_of(search.path.records, 60);
+    search.fit.coefficients = Matrix::Zero(states, library.size());
+  }
+
+  /// The columns of the true model.
+  std::vector<Coefficient> truth() const {
+    std::vector<Coefficient> columns;
+    const std::vector<std::string> names = library.names();
+    for (const auto& [equation, term] : structure_of(model))
+      columns.push_back({static_cast<Index>(equation),
+                         std::find(names.begin(), names.end(), term) - names.begin()});
+    std::sort(columns.begin(), columns.end());
+    return columns;
+  }
+
+  OdeModel model;
+  TermLibrary library;
+  SearchTask task;
+  WindowSearch search;
+};
+
+bool contains(const std::vector<Coefficient>& all, const std::vector<Coefficient>& some) {
+  return std::includes(all.begin(), all.end(), some.begin(), some.end());
+}
+
+TEST(CandidateScreening, TrueTermsAreAmongThePlausibleOnes) {
+  ScreeningCase c(8);
+  const ScreenedCandidates found = screen_candidates(c.task, c.search, {});
+  EXPECT_TRUE(contains(found.plausible, c.truth()));
+  EXPECT_TRUE(contains(found.plausible, found.worth));
+  EXPECT_TRUE(std::is_sorted(found.plausible.begin(), found.plausible.end()));
+}
+
+/// What chance keeps out of the first few may be needed; a problem of 250 columns is cheap.
+TEST(CandidateScreening, KeepsAsManyAsThereIsRoomForOrSeveralTimesWhatIsWorthIt) {
+  for (const Index states : {8, 24}) {
+    ScreeningCase c(states);
+    const ScreenedCandidates found = screen_candidates(c.task, c.search, {});
+    const auto most = static_cast<std::size_t>(states);
+    EXPECT_GE(found.plausible.size(), 250 / most * most);
+    EXPECT_LE(found.plausible.size(),
+              std::max<std::size_t>(250, 2 * found.worth.size() + 4 * most));
+    EXPECT_LT(found.plausible.size(), c.task.candidates.size());
+  }
+}
+
+TEST(CandidateScreening, ColumnsOfTheModelStay) {
+  ScreeningCase c(8);
+  const Coefficient odd{3, c.library.size() - 1};  // x7^2, which explains nothing
+  c.search.fit.coefficients(odd.equation, odd.term) = 0.1;
+  const ScreenedCandidates found = screen_candidates(c.task, c.search, {});
+  EXPECT_TRUE(contains(found.plausible, {odd}));
+  EXPECT_FALSE(contains(found.worth, {odd}));
+}
+
+const RunContext kContext;
+
+/// A search in a record of Lorenz' equations as fixed steps of order 4 give it.
+struct Searched {
+  explicit Searched(std::optional<double> penalty = {})
+      : data(record_of(test_system("lorenz").model, Rk4{}, test_system("lorenz").start, 0.01,
+                       1200)),
+        library(Monomials{{.max_degree = 2}}.library(data_variables())) {
+    for (Trajectory& record : data.trajectories) record.derivatives = Matrix();
+    task.emplace(search_task(data, {library}, analyse_noise(data), {.penalty = penalty}));
+    search.emplace(
+        begun(*task, prepared_search(*task), Matrix::Zero(3, library.size()), kContext));
+    while (grow(*task, *search, kContext)) {
+    }
+    finish(*search, kContext);
+  }
+
+  Variables data_variables() const { return test_system("lorenz").model.variables(); }
+
+  std::set<std::string> names() const {
+    std::set<std::string> names;
+    for (const Index c : search->fit.subset) {
+      const Coefficient column = search->fit.columns[static_cast<std::size_t>(c)];
+      names.insert(std::to_string(column.equation) + " " +
+                   library.terms[static_cast<std::size_t>(column.term)].name());
+    }
+    return names;
+  }
+
+  Dataset data;
+  TermLibrary library;
+  std::optional<SearchTask> task;
+  std::optional<WindowSearch> search;
+};
+
+TEST(NegligibleColumns, WhatASolversErrorLooksLikeLeaves) {
+  Searched c;
+  const std::set<std::string> truth = {"0 x", "0 y", "1 x", "1 y", "1 x*z", "2 z", "2 x*y"};
+  ASSERT_GT(c.search->fit.subset.size(), truth.size());
+  const Vector before = c.search->fit.rms;
+  const auto left = leave_out_negligible(*c.task, *c.search, {}, kContext);
+  EXPECT_EQ(c.names(), truth);
+  for (const LeftOut& out : left) {
+    EXPECT_LT(out.effect, 1e-4);
+    EXPECT_EQ(c.search->fit.coefficients(out.column.equation, out.column.term), 0.0);
+  }
+  // What was left out on purpose does not count against the model.
+  const WindowFit& fit = c.search->fit;
+  for (Index k = 0; k < 3; ++k)
+    EXPECT_LE(fit.rms[k] / fit.sigma[k], before[k] / c.search->sigma[k] * 1.0001);
+  EXPECT_NEAR(fit.coefficients(1, 1), 28.0, 1e-3);
+}
+
+TEST(NegligibleColumns, StayWhereTheSizeIsZeroOrAPenaltyWasGiven) {
+  Searched free;
+  const std::set<std::string> names = free.names();
+  EXPECT_TRUE(
+      leave_out_negligible(*free.task, *free.search, {.effect_size = 0.0}, kContext).empty());
+  EXPECT_EQ(free.names(), names);
+  Searched priced(12.0);
+  EXPECT_TRUE(leave_out_negligible(*priced.task, *priced.search, {}, kContext).empty());
+}
+
+/// n samples of one orbit, 97 to a turn, with white noise of a fraction of its spread.
+Dataset noisy_orbit(Index n, double fraction, std::uint64_t seed) {
+  Dataset data;
+  data.states = {{"x", "m"}, {"v", "m/s"}};
+  data.trajectories = {oscillation(n, 0.0, 0.0324)};
+  Matrix& states = data.trajectories[0].states;
+  data.trajectories[0].inputs.resize(n, 0);
+  const Vector sigma = fraction * spread(states);
+  Random random(seed);
+  for (Index k = 0; k < 2; ++k)
+    for (Index i = 0; i < n; ++i) states(i, k) += sigma[k] * random.normal();
+  return data;
+}
+
+struct OrbitCase {
+  explicit OrbitCase(Dataset record)
+      : library(Monomials{{.max_degree = 3}}.library(
+            OdeModel(record.states, record.inputs, std::vector<Equation>(2)).variables())),
+        task(search_task(record, {library}, analyse_noise(record), {})) {}
+
+  /// The terms that are left in the first equation.
+  std::vector<std::string> plain_terms(double strength = 3.0) const {
+    std::vector<std::string> names;
+    if (const std::optional<SearchTask> plain = plain_task(task, strength))
+      for (const Coefficient& column : plain->candidates)
+        if (column.equation == 0)
+          names.push_back(library.terms[static_cast<std::size_t>(column.term)].name());
+    return names;
+  }
+
+  Matrix coefficients(const std::string& term) const {
+    Matrix values = Matrix::Zero(task.data.state_count(), library.size());
+    for (std::size_t l = 0; l < library.terms.size(); ++l)
+      if (library.terms[l].name() == term) values(0, static_cast<Index>(l)) = 1.0;
+    return values;
+  }
+
+  TermLibrary library;
+  SearchTask task;
+};
+
+TEST(PlainCandidates, AreNoMultiplesOfWhatIsConstantOnAnOrbit) {
+  const OrbitCase c(noisy_orbit(2000, 0.01, 1));
+  EXPECT_EQ(c.plain_terms(), (std::vector<std::string>{"1", "x", "v", "x*v"}));
+}
+
+TEST(PlainCandidates, AreAllWhereARelationIsTooWeakOrTermsAreConstrained) {
+  OrbitCase c(noisy_orbit(2000, 0.05, 1));
+  EXPECT_FALSE(c.plain_terms().empty());
+  EXPECT_FALSE(plain_task(c.task, 10.0));
+  c.task.constraints.push_back({{{0, 1, 1.0}}, 0.0});
+  EXPECT_FALSE(plain_task(c.task, 3.0));
+}
+
+/// A sum that is constant says that one state is the others: none of them is the plainer one.
+TEST(PlainCandidates, KeepStatesThatAddUp) {
+  Dataset data = noisy_record("van-der-pol", 2000, 0.01, 1);
+  Matrix& states = data.trajectories[0].states;
+  states.col(1) = (3.0 - states.col(0).array()).matrix() + 1e-3 * states.col(1);
+  EXPECT_FALSE(plain_task(OrbitCase(data).task, 3.0));
+}
+
+/// On one orbit many windows fit as well by x^3 and x v^2, which trade an initial state for a
+/// frequency in each of them, as by x.
+TEST(TrajectorySelection, FindsTwoTermsOnOneOrbitHoweverLong) {
+  for (const std::uint64_t seed : {1, 2}) {
+    const Dataset data = noisy_orbit(20000, 0.01, seed);
+    const OdeModel none(data.states, data.inputs, std::vector<Equation>(2));
+    const TermLibrary library = Monomials{{.max_degree = 3}}.library(none.variables());
+    const OdeModel found = TrajectorySelection{}.refine({data, library, none}).model;
+    EXPECT_EQ(structure_of(found), (Structure{{0, "v"}, {1, "x"}})) << to_text(found, 4);
   }
 }
 
