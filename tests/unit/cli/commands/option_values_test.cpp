@@ -9,19 +9,6 @@ namespace {
 using lacuna::testing::expect_failure;
 using lacuna::testing::run_command;
 
-TEST(OptionValues, SayWhatTheyShouldBe) {
-  std::string text = "nan";
-  EXPECT_EQ(from_to(0.0, 100000000.0)(text), "'nan' is no number from 0 to 100000000");
-  EXPECT_EQ(finite()(text), "'nan' is no finite number");
-  EXPECT_EQ(above_zero()(text), "'nan' is no number above 0");
-  text = "bsh";
-  EXPECT_EQ(one_of({"bash", "zsh"})(text), "'bsh' is none of bash, zsh; did you mean 'bash'?");
-  text = "b";
-  EXPECT_EQ(number_of({{"a", 3}, {"b", 7}})(text), "");
-  EXPECT_EQ(text, "7");
-  EXPECT_EQ(number_of({{"a", 3}, {"b", 7}})(text), "'7' is none of a, b");
-}
-
 TEST(OptionValues, NoWordIsOfTheParser) {
   const std::vector<std::pair<std::vector<std::string>, std::string>> faults = {
       {{"identify", "r", "--effort", "QUICK"},
@@ -35,6 +22,8 @@ TEST(OptionValues, NoWordIsOfTheParser) {
       {{"identify", "r", "--terms", "x", "--degree", "2"}, "exclude each other"},
       {{"identify"}, "DATA is missing"},
       {{}, "no command is given"},
+      {{"identfy"}, "did you mean 'identify'"},
+      {{"report"}, "'report' is an option, as in `lacuna "},
       {{"simulate", "lorenz", "--t-end", "nan", "--dt", "1"}, "'nan' is no finite number"},
       {{"identify", "r", "--degre", "2"}, "'--degre' is not known; did you mean '--degree'?"}};
   for (const auto& [words, sentence] : faults)

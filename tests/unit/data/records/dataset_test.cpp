@@ -43,15 +43,6 @@ TEST(Dataset, CountsSamplesAndKnowsItsDerivatives) {
   EXPECT_FALSE(Dataset{}.has_derivatives());
 }
 
-TEST(Dataset, KnowsWhichStateIsARate) {
-  Dataset data = sample();
-  EXPECT_FALSE(data.rate_state(0));
-  data.rate_of = {Index{1}, std::nullopt};
-  EXPECT_EQ(data.rate_state(0), Index{1});
-  EXPECT_FALSE(data.rate_state(1));
-  EXPECT_NO_THROW(check_dataset(data));
-}
-
 TEST(CheckDataset, RefusesBadNames) {
   Dataset data = sample();
   data.states[1].name = "x";

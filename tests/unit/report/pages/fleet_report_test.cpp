@@ -53,11 +53,6 @@ TEST(FleetReport, AnEffectThatStandsTwiceInARecordCountsOnce) {
   EXPECT_THAT(format_text(one), HasSubstr("delay in v  1 of 1"));
 }
 
-TEST(FleetReport, WithoutEffectsThereIsNoTableOfThem) {
-  EXPECT_THAT(format_text({fleet_answer("a.csv", with_effects({}))}),
-              Not(HasSubstr("Effects")));
-}
-
 TEST(FleetReport, AnswersGoFromProcessToProcess) {
   std::vector<FleetAnswer> given = fleet();
   given.push_back(fleet_answer("e \"1\".csv", with_effects({})));
