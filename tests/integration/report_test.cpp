@@ -90,11 +90,6 @@ TEST_F(Reports, OfASyncSaysWhetherTheModelHolds) {
   EXPECT_EQ(support::first_fault(html), "");
 }
 
-TEST_F(Reports, TheSameRunGivesTheSameBytes) {
-  const std::string first = page_of(folder_, arguments("diagnose"));
-  EXPECT_EQ(first, page_of(folder_, arguments("diagnose")));
-}
-
 TEST_F(Reports, PicturesAreFilesToo) {
   const std::string pictures = folder_.file("pictures");
   const CommandResult result = run_program(arguments("sync") + " --plot '" + pictures + "'");
