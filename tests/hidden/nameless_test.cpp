@@ -62,9 +62,9 @@ TEST(Nameless, LawsAreExplainedByNoName) {
   const std::vector<Nameless> laws = {{cart(), "v", "sin(2*x)", -3.0},
                                       {cart(), "v", "x*exp(-(x/0.3)^2)", -5.0},
                                       {basin(), "h", "abs(h)^1.5", -0.02}};
+  std::uint64_t seed = 0;
   for (const Nameless& law : laws)
-    for (const std::uint64_t seed : {1U, 2U, 3U})
-      EXPECT_NE(diagnosed(law, seed).verdict, Verdict::Explained) << law.law << ' ' << seed;
+    EXPECT_NE(diagnosed(law, ++seed).verdict, Verdict::Explained) << law.law;
 }
 
 TEST(Nameless, AWeirHasItsFormula) {
