@@ -8,8 +8,7 @@
 #include "hidden/support/case_builder.hpp"
 #include "hidden/support/records.hpp"
 #include "hidden/support/score.hpp"
-#include "lacuna/cli/configuration/registry.hpp"
-#include "lacuna/diagnose/journey/diagnose.hpp"
+#include "hidden/whole_vocabulary.hpp"
 
 namespace lacuna::hidden {
 namespace {
@@ -53,9 +52,7 @@ Diagnosis diagnosed(const Nameless& one, std::uint64_t seed) {
                                 .inexpressible()
                                 .build();
   const auto [find, check] = make_records(hidden, 0.003, seed);
-  DiagnosisOptions options;
-  options.effects = default_registry().make_all<Effect>();
-  return diagnose(hidden.nominal, find, check, options, RunContext{});
+  return diagnosis_of(hidden.nominal, find, check);
 }
 
 TEST(Nameless, LawsAreExplainedByNoName) {

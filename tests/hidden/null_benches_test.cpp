@@ -6,8 +6,7 @@
 
 #include "hidden/support/score.hpp"
 #include "hidden/support/twins.hpp"
-#include "lacuna/cli/configuration/registry.hpp"
-#include "lacuna/diagnose/journey/diagnose.hpp"
+#include "hidden/whole_vocabulary.hpp"
 
 namespace lacuna::hidden {
 namespace {
@@ -16,10 +15,8 @@ class NullBench : public ::testing::TestWithParam<BenchFault> {};
 
 TEST_P(NullBench, GetsNoName) {
   const BenchCase bench = null_bench(GetParam(), 8004);
-  DiagnosisOptions options;
-  options.effects = default_registry().make_all<Effect>();
-  const Diagnosis found = diagnose(bench.hidden.nominal, bench.records.find,
-                                   bench.records.check, options, RunContext{});
+  const Diagnosis found =
+      diagnosis_of(bench.hidden.nominal, bench.records.find, bench.records.check);
   EXPECT_NE(found.verdict, Verdict::Explained) << in_one_line(found);
   const bool sensor = GetParam() == BenchFault::MovingAverage;
   for (const NamedEffect& effect : found.effects)

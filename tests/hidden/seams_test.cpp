@@ -9,8 +9,7 @@
 #include "hidden/support/null_benches.hpp"
 #include "hidden/support/score.hpp"
 #include "hidden/support/twins.hpp"
-#include "lacuna/cli/configuration/registry.hpp"
-#include "lacuna/diagnose/journey/diagnose.hpp"
+#include "hidden/whole_vocabulary.hpp"
 
 namespace lacuna::hidden {
 namespace {
@@ -47,9 +46,7 @@ Dataset in_one_file(HiddenCase& device, int runs, Index samples, Index missing) 
 std::set<std::string> names_on(HiddenCase device, int runs, Index samples, Index missing) {
   device.noise = NoiseKind::White;
   const Dataset all = in_one_file(device, runs, samples, missing);
-  DiagnosisOptions options;
-  options.effects = default_registry().make_all<Effect>();
-  const Diagnosis found = diagnose(device.nominal, all, {}, options, RunContext{});
+  const Diagnosis found = diagnosis_of(device.nominal, all, {});
   std::set<std::string> names;
   for (const NamedEffect& effect : found.effects) names.insert(effect.name);
   EXPECT_NE(found.verdict, Verdict::UnnamedStructure) << in_one_line(found);

@@ -8,8 +8,7 @@
 #include <set>
 
 #include "hidden/support/score.hpp"
-#include "lacuna/cli/configuration/registry.hpp"
-#include "lacuna/diagnose/journey/diagnose.hpp"
+#include "hidden/whole_vocabulary.hpp"
 
 namespace lacuna::hidden {
 namespace {
@@ -19,10 +18,8 @@ class ASensorBench : public ::testing::TestWithParam<SensorBench> {};
 TEST_P(ASensorBench, IsExplainedByNothingThatIsNotThere) {
   const SensorBench bench = GetParam();
   const BenchCase made = made_bench(bench);
-  DiagnosisOptions options;
-  options.effects = default_registry().make_all<Effect>();
-  const Diagnosis found = diagnose(made.hidden.nominal, made.records.find, made.records.check,
-                                   options, RunContext{});
+  const Diagnosis found =
+      diagnosis_of(made.hidden.nominal, made.records.find, made.records.check);
   const std::vector<std::string>& sensors = names_of_sensors();
   const auto is_right = [&](const NamedEffect& effect) {
     if (std::find(sensors.begin(), sensors.end(), effect.name) != sensors.end()) return true;

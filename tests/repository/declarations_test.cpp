@@ -77,7 +77,6 @@ void Outer<Size>::Inner::run(int a) {
   EXPECT_EQ(found.functions[4].name, "run");
   ASSERT_EQ(found.classes.size(), 2u);
   EXPECT_EQ(found.classes[0].name, "A");
-  EXPECT_EQ(found.classes[0].mutable_members, 2);
 }
 
 TEST(Declarations, FunctionsSayWhatTheyAre) {

@@ -71,25 +71,5 @@ TEST(TextRows, LinesOfAFileCountWhereADialectHasPutNamesInFront) {
       "a:3:3", "'x' in column 'c4'", "number");
 }
 
-TEST(FindFormat, WantsMoreWhereMoreMayChangeTheAnswer) {
-  const auto shows = [](const std::string& begin) {
-    return find_format(begin, false, "a").has_value();
-  };
-  EXPECT_FALSE(shows(""));
-  EXPECT_FALSE(shows("t,x"));
-  EXPECT_FALSE(shows("t,x\n"));
-  EXPECT_FALSE(shows("t,x\n0,1\n"));
-  EXPECT_FALSE(shows("10000\nTIME,CH1\n0,1")) << "the line is half";
-  EXPECT_TRUE(shows("t,x\n0,1\n1,2\n2,3\n3"));
-  EXPECT_THROW(find_format("t,x\n", true, "a"), DataError);
-  EXPECT_THROW(find_format(std::string_view("a\0b", 3), false, "a"), DataError);
-}
-
-TEST(WholeLines, EndAtALineEnd) {
-  EXPECT_EQ(whole_lines("a\nb\nc", '\n'), "a\nb\n");
-  EXPECT_EQ(whole_lines("abc", '\n'), "");
-  EXPECT_EQ(whole_lines("a\rb\r", '\r'), "a\r") << "a line feed may come";
-}
-
 }  // namespace
 }  // namespace lacuna

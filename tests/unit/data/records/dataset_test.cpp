@@ -154,14 +154,5 @@ TEST(LongestRecord, IsTheFirstOfThoseWithMostSamples) {
   EXPECT_EQ(&longest_record(data), &data.trajectories[1]);
 }
 
-TEST(Dataset, StepsAndRecordsHaveToBeThere) {
-  EXPECT_THROW(longest_record({}), ArgumentError);
-  EXPECT_THROW(median_step({}), ArgumentError);
-  Dataset data;
-  data.trajectories.resize(1);
-  data.trajectories[0].time = Vector{{0.0, std::nan(""), 1.0}};
-  EXPECT_THROW(median_step(data), ArgumentError);
-}
-
 }  // namespace
 }  // namespace lacuna
