@@ -80,25 +80,22 @@ DataSummary answer(const Registry& registry, const CheckRequest& request) {
   return summary;
 }
 
-Command declare_check(CLI::App& root) {
+Command declare_check() {
   auto options = std::make_shared<CheckArguments>();
-  CLI::App* app = root.add_subcommand(
-      "check", "Show what would be read: columns, roles, step, noise, what is odd");
-  app->add_option("DATA", options->data.paths, "Files (text, .gz, .npy) or quoted patterns")
-      ->required();
-  app->add_option(
-         "--model", options->model,
-         "Model file: says the roles; slips of units, signs and columns are looked for")
-      ->type_name("FILE");
-  declare_column_options(*app, options->data, true);
-  app->add_option("--differentiator", options->differentiator,
-                  "How states without a column are made from those that have one")
-      ->type_name("NAME")
-      ->capture_default_str();
-  app->add_option("--json", options->json, "Write it as JSON; - for standard output")
-      ->type_name(kFile);
-  declare_run_options(*app, options->run);
-  return {app, [options](const Session& session) { return check_command(session, *options); }};
+  Command command{"check", "Show what would be read: columns, roles, step, noise, what is odd"};
+  command.add("DATA", &options->data.paths, "Files (text, .gz, .npy) or quoted patterns")
+      .require();
+  command.add("--model FILE", &options->model,
+              "Model file: says the roles; slips of units, signs and columns are looked for");
+  declare_column_options(command, options->data, true);
+  command
+      .add("--differentiator NAME", &options->differentiator,
+           "How states without a column are made from those that have one")
+      .show_default();
+  command.add("--json FILE|-", &options->json, "Write it as JSON; - for standard output");
+  declare_run_options(command, options->run);
+  command.run = [options](const Session& session) { return check_command(session, *options); };
+  return command;
 }
 
 }  // namespace lacuna::cli

@@ -22,7 +22,7 @@
 namespace lacuna {
 namespace {
 
-constexpr int kBadInput = 2;
+constexpr int kNoAnswer = 1, kBadInput = 2;
 
 /// After an interrupt a run has so long to end by itself. With 20 ms between two looks at it,
 /// and the time to give gigabytes back, the program is gone within 0.2 s.
@@ -39,94 +39,88 @@ int fail(const CliStreams& streams, const std::string& text) {
   return kBadInput;
 }
 
-void describe_program(CLI::App& app) {
-  app.name("lacuna");
-  app.description(
-      "Finds the equations of a dynamical system in measured data.\n\n"
-      "  lacuna check record.csv\n"
-      "  lacuna identify record.csv --model-out model.json\n"
-      "  lacuna sync model.json other_record.csv\n"
-      "  lacuna diagnose --model nominal.json record.csv\n"
-      "  lacuna simulate model.json --x0 1,0,0 --t-end 100 --dt 0.1 -o orbit.csv");
-  app.footer(
-      "Each command has its own --help. Exit status: 0 done; 1 the numbers do not allow "
-      "an answer; 2 bad arguments, configuration or data; 130 interrupted.");
-  app.set_version_flag("--version", "lacuna " + std::string(kVersion));
-  app.require_subcommand(1);
-}
-
-/// An empty text is no value; CLI11 takes it for one. @return the option that has it.
-std::optional<std::string> empty_option(const CLI::App& command) {
-  for (const CLI::Option* option : command.get_options())
-    for (const std::string& text : option->results())
-      if (text.empty()) return option->get_name();
+/// An empty text is no value; the parser takes it for one. @return the option that has it.
+std::optional<std::string> empty_option(const std::vector<cli::GivenOption>& given) {
+  for (const auto& [option, words] : given)
+    if (std::find(words.begin(), words.end(), "") != words.end()) return option->name();
   return std::nullopt;
 }
 
-/// Reads the arguments. @return exit status when there is nothing more to do.
-std::optional<int> parse(CLI::App& app, int argc, const char* const* argv,
-                         const CliStreams& streams) {
-  try {
-    app.parse(argc, argv);
-    const auto empty = empty_option(*app.get_subcommands().front());
+/// What the arguments alone ask for. @return exit status when there is nothing more to do.
+std::optional<int> answered(const cli::Asked& asked, std::span<const cli::Command> commands,
+                            const CliStreams& streams) {
+  using For = cli::Asked::For;
+  if (!asked.fault.empty()) return fail(streams, "command line: " + asked.fault);
+  if (asked.what == For::Run) {
+    const auto empty = empty_option(asked.given);
     if (!empty) return std::nullopt;
     return fail(streams, "command line: " + *empty +
-                             ": the value is empty; give one or leave " + "the option out");
-  } catch (const CLI::ParseError& error) {
-    if (error.get_exit_code() == 0) return app.exit(error, streams.out, streams.err);
-    return fail(streams, "command line: " + cli::sentence_of(error, app));
+                             ": the value is empty; give one or leave the option out");
   }
+  if (asked.what == For::Version)
+    streams.out << "lacuna " << kVersion << "\n";
+  else if (asked.command == nullptr)
+    streams.out << cli::program_help(commands);
+  else
+    streams.out << cli::command_help(*asked.command, asked.what == For::AllHelp);
+  return 0;
 }
 
 /// What the run may take, in bytes.
-std::uint64_t memory_of(const CLI::App& command) {
-  const CLI::Option* option = command.get_option_no_throw("--max-memory");
-  return option != nullptr && option->count() > 0 ? option->as<std::uint64_t>()
-                                                  : cli::default_memory();
+std::uint64_t memory_of(const cli::Asked& asked) {
+  std::uint64_t bytes = cli::default_memory();
+  for (const auto& [option, words] : asked.given)
+    if (option->names == "--max-memory") cli::bytes_in(bytes)(words.front());
+  return bytes;
 }
 
 /// The command with what it works on: "identify record.csv".
-std::string place_of(const CLI::App& command) {
-  std::string place = command.get_name();
-  for (const CLI::Option* option : command.get_options())
-    if (option->get_positional())
-      for (const std::string& text : option->results()) place += " " + text;
+std::string place_of(const cli::Asked& asked) {
+  std::string place = asked.command->name;
+  for (const auto& [option, words] : asked.given)
+    if (option->is_argument())
+      for (const std::string& word : words) place += " " + word;
   return place;
 }
 
-int fail_of_memory(const CliStreams& streams, const CLI::App& command) {
-  return fail(streams, place_of(command) + ": not enough memory (" +
-                           std::to_string(memory_of(command) >> 20U) +
+int fail_of_memory(const CliStreams& streams, const cli::Asked& asked) {
+  return fail(streams, place_of(asked) + ": not enough memory (" +
+                           std::to_string(memory_of(asked) >> 20U) +
                            " MB); use fewer samples or terms, or raise --max-memory");
 }
 
 /// Runs a command; what goes wrong becomes one line and a status.
-int run_chosen(const cli::Command& command, const cli::Session& session) {
+int run_chosen(const cli::Asked& asked, const cli::Session& session) {
   const CliStreams& streams = session.streams;
   const auto interrupted = [&] {
     streams.err << "lacuna: interrupted; nothing was written\n";
     return cli::kInterrupted;
   };
   try {
-    const cli::MemoryLimit limit(memory_of(*command.app));
+    const cli::MemoryLimit limit(memory_of(asked));
     cli::keep_freed_memory();
-    cli::check_outputs(cli::files_read_by(*command.app), cli::outputs_of(*command.app));
-    return command.run(session);
+    cli::check_outputs(cli::files_read_by(asked.given), cli::outputs_of(asked.given));
+    return asked.command->run(session);
+  } catch (const OutOfTime&) {
+    streams.err << "lacuna: error: " << one_line(place_of(asked))
+                << ": incomplete: the time limit came before anything was known; nothing was "
+                   "written; give it more time (--time-limit)\n";
+    return kNoAnswer;
   } catch (const Cancelled&) {
     return interrupted();
   } catch (const ArgumentError& error) {  // its place is a function, which users do not know
     const char* look =
         error.remedy().empty() ? "; look at what is read with `lacuna check`" : "";
-    return fail(streams, place_of(*command.app) + ": " + user_text(error) + look);
+    return fail(streams, place_of(asked) + ": " + user_text(error) + look);
   } catch (const Error& error) {
     // A read that was broken into by an interrupt has failed too.
     return session.stop.stop_requested() ? interrupted() : fail(streams, error.what());
   } catch (const std::bad_alloc&) {
-    return fail_of_memory(streams, *command.app);
+    return fail_of_memory(streams, asked);
   } catch (const std::length_error&) {  // more than any container can hold
-    return fail_of_memory(streams, *command.app);
+    return fail_of_memory(streams, asked);
   } catch (const std::exception& error) {
-    return fail(streams, place_of(*command.app) + ": " + error.what() +
+    return fail(streams, place_of(asked) + ": " + error.what() +
                              "; this is an error of lacuna, please report it");
   }
 }
@@ -146,35 +140,35 @@ int with_output_checked(int status, const CliStreams& streams) {
               "there is space, or give a file (-o, --json)");
 }
 
-/// The option of `lacuna demo`: which of the trials.
-CLI::App& declare_demo(CLI::App& root, std::vector<std::string>& names) {
-  CLI::App* app = root.add_subcommand(
-      "demo", "Run the commands to try, with the records that come with the program");
-  app->add_option("NAME", names, "Which of them [default: all]")
-      ->check(cli::one_of({"check", "diagnose", "identify"}));
-  return *app;
+/// Its option is which of the trials.
+cli::Command declare_demo(std::vector<std::string>& names) {
+  cli::Command command{"demo",
+                       "Run the commands to try, with the records that come with the program"};
+  command.add("NAME", &names, "Which of them [default: all]")
+      .check(cli::one_of({"check", "diagnose", "identify"}));
+  return command;
 }
 
-/// The option of `lacuna help`: the command.
-CLI::App& declare_help(CLI::App& root, std::string& name) {
-  CLI::App* app =
-      root.add_subcommand("help", "Show the help of lacuna, or of one of its commands");
-  app->add_option("COMMAND", name, "Which command [default: what there is]");
-  return *app;
+/// Its option is the command.
+cli::Command declare_help(std::string& name) {
+  cli::Command command{"help", "Show the help of lacuna, or of one of its commands"};
+  command.add("COMMAND", &name, "Which command [default: what there is]");
+  return command;
 }
 
-int show_help(const CLI::App& root, const std::string& name, const CliStreams& streams) {
+int show_help(std::span<const cli::Command> commands, const std::string& name,
+              const CliStreams& streams) {
   std::vector<std::string> names;
-  for (const CLI::App* command : root.get_subcommands({})) {
-    names.push_back(command->get_name());
+  for (const cli::Command& command : commands) {
+    names.push_back(command.name);
     if (names.back() != name) continue;
-    streams.out << command->help("lacuna");
+    streams.out << cli::command_help(command, false);
     return 0;
   }
   if (!name.empty())
     return fail(streams, "help " + name + ": there is no command '" + name + "'; " +
                              suggestion(name, names));
-  streams.out << root.get_formatter()->make_help(&root, "lacuna", CLI::AppFormatMode::Normal);
+  streams.out << cli::program_help(commands);
   return 0;
 }
 
@@ -211,35 +205,31 @@ int run_demo(const std::vector<std::string>& names, const cli::Session& session,
 int run_words(int argc, const char* const* argv, cli::Session session,
               cli::InterruptGuard::Patience patience) {
   const CliStreams& streams = session.streams;
-  CLI::App app;
-  describe_program(app);
-  const std::vector<cli::Command> commands = {
-      cli::declare_identify(app),   cli::declare_simulate(app), cli::declare_sync(app),
-      cli::declare_diagnose(app),   cli::declare_fit(app),      cli::declare_model(app),
-      cli::declare_export(app),     cli::declare_check(app),    cli::declare_compare(app),
-      cli::declare_completion(app), cli::declare_list(app),     cli::declare_describe(app),
-      cli::declare_plan(app),       cli::declare_bench(app),    cli::declare_start(app)};
-  std::vector<std::string> names;
-  const CLI::App& demo = declare_demo(app, names);
+  std::vector<std::string> trials;
   std::string topic;
-  const CLI::App& help = declare_help(app, topic);
-  cli::arrange_help(app);
-  if (const auto status = parse(app, argc, argv, streams))
+  const std::vector<cli::Command> commands = {
+      cli::declare_identify(),   cli::declare_simulate(), cli::declare_sync(),
+      cli::declare_diagnose(),   cli::declare_fit(),      cli::declare_model(),
+      cli::declare_export(),     cli::declare_check(),    cli::declare_compare(),
+      cli::declare_completion(), cli::declare_list(),     cli::declare_describe(),
+      cli::declare_plan(),       cli::declare_bench(),    cli::declare_start(),
+      declare_demo(trials),      declare_help(topic)};
+  const cli::Asked asked = cli::parse(commands, {argv + std::min(argc, 1), argv + argc});
+  if (const auto status = answered(asked, commands, streams))
     return with_output_checked(*status, streams);
-  if (help.parsed()) return with_output_checked(show_help(app, topic, streams), streams);
-  if (demo.parsed()) return run_demo(names, session, patience);
+  const std::string& name = asked.command->name;
+  if (name == "help") return with_output_checked(show_help(commands, topic, streams), streams);
+  if (name == "demo") return run_demo(trials, session, patience);
 
   std::signal(SIGXFSZ, SIG_IGN);  // a file that grows too large is an error of its write
-  const auto chosen = std::find_if(commands.begin(), commands.end(),
-                                   [](const auto& command) { return command.app->parsed(); });
   const cli::InterruptGuard interrupt(patience);
   session.stop = interrupt.token();
   session.command_line = command_line(argc, argv);
+  session.commands = commands;
   const bool leads = session.team == nullptr || session.team->rank() == 0;
-  const std::string name = chosen->app->get_name();
   const bool divides = name == "identify" || name == "diagnose";
   if (!leads && !divides) return 0;
-  return with_output_checked(run_chosen(*chosen, session), streams);
+  return with_output_checked(run_chosen(asked, session), streams);
 }
 
 }  // namespace

@@ -53,8 +53,8 @@ std::string check_time_limit(const std::string& text) {
   return "'" + text + "' is no time from 0.001 to 1e9 seconds";
 }
 
-/// Bytes of "4G", "500MB", "200k" or plain digits, as digits. @throws CLI::ValidationError.
-std::string bytes_of(std::string text) {
+/// Bytes of "4G", "500MB", "200k" or plain digits. @return what is wrong.
+std::string read_bytes(const std::string& text, std::uint64_t& bytes) {
   constexpr std::string_view kUnits = "kMGT";
   std::uint64_t value = 0;
   const char* end = text.data() + text.size();
@@ -66,8 +66,9 @@ std::string bytes_of(std::string text) {
       stop == end || (unit != std::string::npos && (rest.empty() || rest == "B"));
   if (error != std::errc() || !known || value > (std::uint64_t{1} << 62U) >> shift ||
       value << shift < kLeastMemory)
-    throw CLI::ValidationError("'" + text + "' is not a size from 16M on, such as 500M or 4G");
-  return std::to_string(value << shift);
+    return "'" + text + "' is not a size from 16M on, such as 500M or 4G";
+  bytes = value << shift;
+  return "";
 }
 
 /// How progress is shown: on one line of a terminal, in lines of a log, or not at all. A program
@@ -93,29 +94,29 @@ std::function<void(const Progress&)> progress_function(std::ostream& err, Shown 
 
 }  // namespace
 
-void declare_size_option(CLI::App& app, const std::string& name, std::uint64_t& bytes,
-                         const std::string& description) {
-  app.add_option(name, bytes, description)->transform(bytes_of, "")->type_name("SIZE");
+Reader bytes_in(std::uint64_t& bytes) {
+  return [&bytes](const std::string& text) { return read_bytes(text, bytes); };
 }
 
-void declare_run_options(CLI::App& app, RunOptions& options) {
-  app.add_option("--seed", options.seed, "Start of everything random in the run")
-      ->check(check_seed, "whole number", "seed")
-      ->capture_default_str();
+void declare_run_options(Command& command, RunOptions& options) {
+  command.add("--seed", &options.seed, "Start of everything random in the run")
+      .check({check_seed, "whole number"})
+      .show_default();
   options.threads = static_cast<int>(std::clamp(std::thread::hardware_concurrency(), 1U, 64U));
-  app.add_option("--threads", options.threads,
-                 "Threads; the result does not depend on it [default: the machine's cores]")
-      ->check(from_to(1, 1024));
+  command
+      .add("--threads", &options.threads,
+           "Threads; the result does not depend on it [default: the machine's cores]")
+      .check(from_to(1, 1024));
   options.max_memory = default_memory();
-  declare_size_option(
-      app, "--max-memory", options.max_memory,
-      "Memory that the run may take, e.g. 4G, in bytes [default: three quarters "
-      "of the machine's]");
-  app.add_option("--progress", options.progress,
-                 "Progress on standard error: always, never, auto (on a terminal at once, else "
-                 "a line every ten seconds)")
-      ->check(one_of({"always", "never", "auto"}))
-      ->capture_default_str();
+  command.add("--max-memory SIZE", bytes_in(options.max_memory),
+              "Memory that the run may take, e.g. 4G, in bytes [default: three quarters "
+              "of the machine's]");
+  command
+      .add("--progress", &options.progress,
+           "Progress on standard error: always, never, auto (on a terminal at once, else "
+           "a line every ten seconds)")
+      .check(one_of({"always", "never", "auto"}))
+      .show_default();
 }
 
 const std::map<std::string, Thoroughness>& efforts() {
@@ -125,17 +126,19 @@ const std::map<std::string, Thoroughness>& efforts() {
   return kEfforts;
 }
 
-void declare_effort_options(CLI::App& app, RunOptions& options) {
-  app.add_option("--effort", options.effort,
-                 "quick: only what an answer needs; normal: all stages, as far as something "
-                 "can be gained; full: all to their end [default: normal]")
-      ->transform(value_of(efforts()))
-      ->type_name("quick|normal|full");
-  app.add_option("--time-limit", options.time_limit,
-                 "Seconds after which the run ends with the answer that it has by then and names "
-                 "the stages left out")
-      ->check(check_time_limit, "0.001 to 1e9", "time limit")
-      ->type_name("S");
+void declare_time_limit(Command& command, RunOptions& options) {
+  command
+      .add("--time-limit S", &options.time_limit,
+           "Seconds after which the run ends with the answer that it has by then and names "
+           "the stages left out")
+      .check({check_time_limit, "0.001 to 1e9"});
+}
+
+void declare_effort_options(Command& command, RunOptions& options) {
+  command.add("--effort quick|normal|full", word_of(efforts(), options.effort),
+              "quick: only what an answer needs; normal: all stages, as far as something "
+              "can be gained; full: all to their end [default: normal]");
+  declare_time_limit(command, options);
 }
 
 RunContext make_context(const Session& session, const RunOptions& options) {
@@ -160,6 +163,13 @@ bool is_watched(const Session& session, const RunOptions& options) {
 void finish_progress(const Session& session, const RunOptions& options) {
   if (is_watched(session, options))
     session.streams.err << "\r\x1b[K" << std::flush;
+}
+
+int status_of(const Session& session, const Admission& admission) {
+  if (admission.stands()) return 0;
+  session.streams.err << "lacuna: error: no verdict: " << admission.why << "; "
+                      << admission.remedy << "\n";
+  return 1;
 }
 
 void write_output(const Session& session, const std::string& path, const std::string& text) {

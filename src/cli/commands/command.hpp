@@ -1,20 +1,21 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <chrono>
 #include <functional>
 #include <map>
 #include <optional>
+#include <span>
 #include <stop_token>
 #include <string>
 #include <vector>
 
+#include "cli/parsing/options.hpp"
 #include "lacuna/cli/commands/cli.hpp"
+#include "lacuna/core/base/admission.hpp"
 #include "lacuna/core/base/run_context.hpp"
 #include "lacuna/core/base/stages_done.hpp"
 #include "lacuna/model/equations/system_model.hpp"
-#include "option_values.hpp"
 #include "outputs.hpp"
 
 namespace lacuna::cli {
@@ -28,55 +29,56 @@ struct Session {
   const Team* team = nullptr;     ///< processes among which the work is divided
   /// When the command began, from which a time limit counts.
   std::chrono::steady_clock::time_point begin = std::chrono::steady_clock::now();
+  std::span<const Command> commands = {};  ///< all that there are
 };
 
-/// A declared subcommand and what it does when it is chosen; gives the exit status.
-struct Command {
-  CLI::App* app = nullptr;
-  std::function<int(const Session&)> run;
-};
+Command declare_identify();
+Command declare_bench();
+Command declare_simulate();
+Command declare_fit();
+Command declare_plan();
+Command declare_sync();
+Command declare_diagnose();
+Command declare_model();
+Command declare_export();
+Command declare_check();
+Command declare_compare();
+Command declare_completion();
+Command declare_list();
+Command declare_describe();
+Command declare_start();
 
-Command declare_identify(CLI::App& root);
-Command declare_bench(CLI::App& root);
-Command declare_simulate(CLI::App& root);
-Command declare_fit(CLI::App& root);
-Command declare_plan(CLI::App& root);
-Command declare_sync(CLI::App& root);
-Command declare_diagnose(CLI::App& root);
-Command declare_model(CLI::App& root);
-Command declare_export(CLI::App& root);
-Command declare_check(CLI::App& root);
-Command declare_compare(CLI::App& root);
-Command declare_completion(CLI::App& root);
-Command declare_list(CLI::App& root);
-Command declare_describe(CLI::App& root);
-Command declare_start(CLI::App& root);
+/// What `lacuna --help` shows.
+std::string program_help(std::span<const Command> commands);
 
-/// Puts the options of all commands into groups: `--help` shows the most used ones, `--help-all`
-/// all of them.
-void arrange_help(CLI::App& root);
+/// What `--help` of a command shows: the options that are used most; `--help-all` all, in
+/// groups.
+std::string command_help(const Command& command, bool all);
 
 /// Options that every computing command has.
 struct RunOptions {
   std::uint64_t seed = 1;
   int threads = 1;
   std::uint64_t max_memory = 0;  ///< bytes
-  std::optional<double> time_limit;  ///< seconds, of commands that can end early
+  std::optional<double> time_limit;  ///< seconds
   Thoroughness effort = Thoroughness::Normal;
   std::string progress = "auto";
 };
 
-void declare_run_options(CLI::App& app, RunOptions& options);
+void declare_run_options(Command& command, RunOptions& options);
 
 /// Efforts by the names that users give them.
 const std::map<std::string, Thoroughness>& efforts();
 
-/// Options of a command that can give an answer with some of its stages left out.
-void declare_effort_options(CLI::App& app, RunOptions& options);
+/// The option --time-limit: at the limit the command ends, with what it has by then or, where
+/// that is nothing (OutOfTime), with an error.
+void declare_time_limit(Command& command, RunOptions& options);
 
-/// An option that is a size in memory: 300MB, 4G or a number of bytes.
-void declare_size_option(CLI::App& app, const std::string& name, std::uint64_t& bytes,
-                         const std::string& description);
+/// Options of a command that can give an answer with some of its stages left out.
+void declare_effort_options(Command& command, RunOptions& options);
+
+/// Reads a size in memory: 300MB, 4G or a number of bytes.
+Reader bytes_in(std::uint64_t& bytes);
 
 /// The run context of a command, with progress on standard error where that is wanted.
 RunContext make_context(const Session& session, const RunOptions& options);
@@ -86,6 +88,10 @@ bool is_watched(const Session& session, const RunOptions& options);
 
 /// Ends the line that progress was shown on.
 void finish_progress(const Session& session, const RunOptions& options);
+
+/// The exit status of a command with a verdict: where none may be given, a line on standard error
+/// says why.
+int status_of(const Session& session, const Admission& admission);
 
 /// Writes text to a file, whole or not at all, or to standard output for "-".
 void write_output(const Session& session, const std::string& path, const std::string& text);

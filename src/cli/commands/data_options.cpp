@@ -72,47 +72,38 @@ void set_holds(const DataOptions& options, std::vector<Quantity>& inputs) {
 
 }  // namespace
 
-void declare_hold_option(CLI::App& app, DataOptions& options) {
-  app.add_option("--hold", options.holds,
-                 "How an input goes on after a sample: u=zero|linear|smooth|switching|auto "
-                 "[default: as in the model, else auto: the records decide]")
-      ->type_name("NAME=HOLD");
+void declare_hold_option(Command& command, DataOptions& options) {
+  command.add("--hold NAME=HOLD", &options.holds,
+              "How an input goes on after a sample: u=zero|linear|smooth|switching|auto "
+              "[default: as in the model, else auto: the records decide]");
 }
 
-void declare_map_option(CLI::App& app, DataOptions& options) {
-  app.add_option("--map", options.names,
-                 "Calls columns (by header or number) what the model or you call them: "
-                 "th=Winkel,u=3")
-      ->type_name("NAME=COLUMN");
+void declare_map_option(Command& command, DataOptions& options) {
+  command.add("--map NAME=COLUMN", &options.names,
+              "Calls columns (by header or number) what the model or you call them: "
+              "th=Winkel,u=3");
 }
 
-void declare_column_options(CLI::App& app, DataOptions& options, bool choose_columns) {
-  app.add_option("--time", options.time, "Time column [default: t, time or the first one]")
-      ->type_name("NAME");
-  app.add_option(
-         "--time-unit", options.time_unit,
-         "Unit of the time, where the header has none or a wrong one: " + known_time_units())
-      ->type_name("UNIT");
-  app.add_option("--dt", options.step,
-                 "Sampling step, in the time unit of the record; then no column is the time")
-      ->type_name("H");
-  app.add_option("--trajectory", options.trajectory,
-                 "Column that numbers the records in one file")
-      ->type_name("NAME");
-  declare_hold_option(app, options);
-  declare_map_option(app, options);
+void declare_column_options(Command& command, DataOptions& options, bool choose_columns) {
+  command.add("--time NAME", &options.time, "Time column [default: t, time or the first one]");
+  command.add(
+      "--time-unit UNIT", &options.time_unit,
+      "Unit of the time, where the header has none or a wrong one: " + known_time_units());
+  command.add("--dt H", &options.step,
+              "Sampling step, in the time unit of the record; then no column is the time");
+  command.add("--trajectory NAME", &options.trajectory,
+              "Column that numbers the records in one file");
+  declare_hold_option(command, options);
+  declare_map_option(command, options);
   if (!choose_columns) return;
-  app.add_option("--states", options.states,
-                 "State columns [default: all without another role but derivatives of others]")
-      ->type_name("a,b,c");
-  app.add_option("--inputs", options.inputs, "Input columns [default: none]")->type_name("u,v");
-  app.add_option("--derivatives", options.derivatives,
-                 "Columns that hold the derivatives, in the order of the states")
-      ->type_name("da,db,dc");
-  app.add_option("--embed", options.embed,
-                 "Only q is measured of a system of order N: its derivatives become the states "
-                 "q_d1, ...; -1 adds the integral. May be given more than once")
-      ->type_name("q=N");
+  command.add("--states a,b,c", &options.states,
+              "State columns [default: all without another role but derivatives of others]");
+  command.add("--inputs u,v", &options.inputs, "Input columns [default: none]");
+  command.add("--derivatives da,db,dc", &options.derivatives,
+              "Columns that hold the derivatives, in the order of the states");
+  command.add("--embed q=N", &options.embed,
+              "Only q is measured of a system of order N: its derivatives become the states "
+              "q_d1, ...; -1 adds the integral. May be given more than once");
 }
 
 /// The symbol of a unit of time, which may be written out ("seconds").

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "cli/parsing/options.hpp"
 #include "lacuna/data/formats/read.hpp"
 #include "lacuna/model/equations/ode_model.hpp"
 #include "lacuna/records/binding/embedding.hpp"
@@ -37,13 +37,13 @@ struct DataOptions : RecordSources {
 
 /// Options that name columns. @param choose_columns whether states, inputs and derivatives can
 /// be chosen, which a command that has a model leaves to the model.
-void declare_column_options(CLI::App& app, DataOptions& options, bool choose_columns);
+void declare_column_options(Command& command, DataOptions& options, bool choose_columns);
 
 /// The option `--hold`, which the column options have among them.
-void declare_hold_option(CLI::App& app, DataOptions& options);
+void declare_hold_option(Command& command, DataOptions& options);
 
 /// The option `--map`, which the column options have among them.
-void declare_map_option(CLI::App& app, DataOptions& options);
+void declare_map_option(Command& command, DataOptions& options);
 
 /// The roles that the options give to columns in every command: time, step, number of the
 /// record.

@@ -52,15 +52,16 @@ std::string description_of(const Registry& registry, const std::string& name) {
   return join(found, "\n");
 }
 
-Command declare_describe(CLI::App& root) {
+Command declare_describe() {
   auto name = std::make_shared<std::string>();
-  CLI::App* app = root.add_subcommand(
-      "describe", "Show the options of a part with units, ranges, defaults and source");
-  app->add_option("NAME", *name, "Name of a part, a preset or a test system")->required();
-  return {app, [name](const Session& session) {
-            show(session, description_of(session.registry, *name));
-            return 0;
-          }};
+  Command command{"describe",
+                  "Show the options of a part with units, ranges, defaults and source"};
+  command.add("NAME", name.get(), "Name of a part, a preset or a test system").require();
+  command.run = [name](const Session& session) {
+    show(session, description_of(session.registry, *name));
+    return 0;
+  };
+  return command;
 }
 
 }  // namespace lacuna::cli

@@ -227,35 +227,29 @@ int diagnose_command(const Session& session, const DiagnoseArguments& options) {
     show(session, text_of(found));
     if (options.explain) show(session, "\n" + explanation_of(found, options.digits));
   }
-  if (diagnosis.admission.stands()) return 0;
-  session.streams.err << "lacuna: error: no verdict: " << diagnosis.admission.why
-                      << "; " << diagnosis.admission.remedy << "\n";
-  return 1;
+  return status_of(session, diagnosis.admission);
 }
 
-void declare_search_options(CLI::App& app, DiagnoseArguments& options) {
-  app.add_option("--effect", options.effects, "Try only these effects (see `list effect`)")
-      ->type_name("NAME");
-  app.add_option("--max-effects", options.max_effects,
-                 "Name at most so many effects [default: " +
-                     std::to_string(DecisionOptions{}.max_effects) + "]")
-      ->check(from_to(0, 20));
-  app.add_option("--config", options.config,
-                 "JSON file with decision, criterion, hypotheses, effects")
-      ->type_name("FILE");
-  app.add_option("--set", options.assignments,
-                 "One value of the configuration, e.g. decision.significance=4; repeatable "
-                 "(see `describe decision`)")
-      ->type_name("PATH=VALUE");
-  app.add_flag("--explain", options.explain,
-               "Show the augmented model, and every composite model that was judged with the "
-               "number that decided");
-  declare_digits_option(app, options.digits);
-  app.add_flag("--fill-gap", options.fill_gap,
-               "Fit a spline or polynomials, as a stop-gap, to what the effects leave");
-  app.add_option("--tolerance", options.tolerances,
-                 "Standard deviation of a nominal coefficient, e.g. 'w:sin(th)=5%'")
-      ->type_name("STATE:TERM=DEVIATION");
+void declare_search_options(Command& command, DiagnoseArguments& options) {
+  command.add("--effect NAME", &options.effects, "Try only these effects (see `list effect`)");
+  command
+      .add("--max-effects", &options.max_effects,
+           "Name at most so many effects [default: " +
+               std::to_string(DecisionOptions{}.max_effects) + "]")
+      .check(from_to(0, 20));
+  command.add("--config FILE", &options.config,
+              "JSON file with decision, criterion, hypotheses, effects");
+  command.add("--set PATH=VALUE", &options.assignments,
+              "One value of the configuration, e.g. decision.significance=4; repeatable "
+              "(see `describe decision`)");
+  command.add("--explain", &options.explain,
+              "Show the augmented model, and every composite model that was judged with the "
+              "number that decided");
+  declare_digits_option(command, options.digits);
+  command.add("--fill-gap", &options.fill_gap,
+              "Fit a spline or polynomials, as a stop-gap, to what the effects leave");
+  command.add("--tolerance STATE:TERM=DEVIATION", &options.tolerances,
+              "Standard deviation of a nominal coefficient, e.g. 'w:sin(th)=5%'");
 }
 
 }  // namespace
@@ -286,38 +280,37 @@ std::string explanation_of(const DiagnoseAnswer& answer, const Digits& digits) {
          "\n" + format_trail(answer.diagnosis) + unused_text(answer.asked);
 }
 
-Command declare_diagnose(CLI::App& root) {
+Command declare_diagnose() {
   auto options = std::make_shared<DiagnoseArguments>();
-  CLI::App* app = root.add_subcommand("diagnose", "Find what a nominal model lacks");
-  app->add_option("--model", options->model.path, "Nominal model file")->required();
-  app->add_option("DATA", options->data.paths, "Files (text, .gz, .npy) or quoted patterns")
-      ->required();
-  app->add_option("--holdout", options->held_out.paths,
-                  "Records to gauge the gap on [default: the last quarter of the data]")
-      ->type_name("DATA");
-  declare_column_options(*app, options->data, false);
-  app->add_option("--limits", options->limits,
-                  "Ends of the range of a channel, beyond which it shows the end; found by "
-                  "themselves where many samples are there")
-      ->type_name("q=LOW:HIGH");
-  app->add_flag("--each", options->each,
-                "Each file by itself: one table of answers, and how often each effect occurs");
-  declare_search_options(*app, *options);
-  app->add_option("--differentiator", options->differentiator,
-                  "How states without a column are made from those that have one")
-      ->type_name("NAME")
-      ->capture_default_str();
-  app->add_option("--model-out", options->model_out, "Write the augmented model")
-      ->type_name(kFile);
-  app->add_option("--json", options->json, "Write the diagnosis as JSON; - for standard output")
-      ->type_name(kFile);
-  declare_report_options(*app, options->report);
+  Command command{"diagnose", "Find what a nominal model lacks"};
+  command.add("--model", &options->model.path, "Nominal model file").require();
+  command.add("DATA", &options->data.paths, "Files (text, .gz, .npy) or quoted patterns")
+      .require();
+  command.add("--holdout DATA", &options->held_out.paths,
+              "Records to gauge the gap on [default: the last quarter of the data]");
+  declare_column_options(command, options->data, false);
+  command.add("--limits q=LOW:HIGH", &options->limits,
+              "Ends of the range of a channel, beyond which it shows the end; found by "
+              "themselves where many samples are there");
+  command.add("--each", &options->each,
+              "Each file by itself: one table of answers, and how often each effect occurs");
+  declare_search_options(command, *options);
+  command
+      .add("--differentiator NAME", &options->differentiator,
+           "How states without a column are made from those that have one")
+      .show_default();
+  command.add("--model-out FILE|-", &options->model_out, "Write the augmented model");
+  command.add("--json FILE|-", &options->json,
+              "Write the diagnosis as JSON; - for standard output");
+  declare_report_options(command, options->report);
   // Candidates are fitted side by side; all cores are in use unless set otherwise.
   options->run.threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
-  declare_run_options(*app, options->run);
-  declare_effort_options(*app, options->run);
-  return {app,
-          [options](const Session& session) { return diagnose_command(session, *options); }};
+  declare_run_options(command, options->run);
+  declare_effort_options(command, options->run);
+  command.run = [options](const Session& session) {
+    return diagnose_command(session, *options);
+  };
+  return command;
 }
 
 }  // namespace lacuna::cli

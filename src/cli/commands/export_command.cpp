@@ -182,23 +182,22 @@ const std::map<std::string, std::string>& exports() {
   return kExports;
 }
 
-Command declare_export(CLI::App& root) {
+Command declare_export() {
   auto options = std::make_shared<ExportArguments>();
-  CLI::App* app = root.add_subcommand(
-      "export", "Write a model for another program: as its source text, or as an FMU");
-  app->add_option("MODEL", options->model, "Model file, or the name of a test system")
-      ->required();
-  app->add_option(
-         "--format", options->format,
-         "One of `lacuna list export`: c, cpp, fmu (FMI 2.0 for co-simulation; takes a C "
-         "compiler), latex, matlab, modelica, python, spice")
-      ->required();
-  app->add_option("-o,--output", options->output, "File to write; - is standard output")
-      ->type_name(kFile);
-  declare_digits_option(*app, options->digits,
+  Command command{"export",
+                  "Write a model for another program: as its source text, or as an FMU"};
+  command.add("MODEL", &options->model, "Model file, or the name of a test system").require();
+  command
+      .add("--format", &options->format,
+           "One of `lacuna list export`: c, cpp, fmu (FMI 2.0 for co-simulation; takes a C "
+           "compiler), latex, matlab, modelica, python, spice")
+      .require();
+  command.add("-o,--output FILE|-", &options->output, "File to write; - is standard output");
+  declare_digits_option(command, options->digits,
                         "Digits of numbers in LaTeX: auto (two of the 95 % interval), full, or "
                         "so many; programs get all [default: auto]");
-  return {app, [options](const Session& session) { return export_command(session, *options); }};
+  command.run = [options](const Session& session) { return export_command(session, *options); };
+  return command;
 }
 
 }  // namespace lacuna::cli

@@ -182,64 +182,65 @@ std::vector<NamedFit> answers(const FitRequest& request, const std::vector<Model
   return fits;
 }
 
-Command declare_fit(CLI::App& root) {
+Command declare_fit() {
   auto options = std::make_shared<FitArguments>();
-  CLI::App* app = root.add_subcommand(
-      "fit", "Estimate the numbers of a model of known structure, hidden states too");
-  app->add_option("MODEL", options->model.path, "Model file, or the name of a test system")
-      ->required();
-  app->add_option("DATA", options->data.paths,
-                  "Files (text, .gz, .npy) or quoted patterns; further models (.ode, .json) "
-                  "among them are compared with the first")
-      ->required();
-  app->add_option("--holdout", options->held_out.paths, "Records to check the fit on")
-      ->type_name("DATA");
-  declare_column_options(*app, options->data, false);
-  app->add_option("--start-samples", options->fit.window,
-                  "First samples of a held-out record, which give its initial state")
-      ->check(from_to(1, kMostSamples))
-      ->capture_default_str();
-  app->add_option("--start-time", options->fit.start_time,
-                  "Time at which records begin and initial values hold, before the first "
-                  "sample")
-      ->check(finite())
-      ->type_name("T");
-  app->add_option("--deviation", options->deviations,
-                  "Column with the standard deviation of each value of a column")
-      ->type_name("NAME=COLUMN");
-  app->add_option("--ahead", options->fit.prediction,
-                  "Samples ahead of the error of prediction")
-      ->check(from_to(1, kMostSamples))
-      ->capture_default_str();
-  app->add_option("--restarts", options->fit.restarts,
-                  "Other starts, at most, where residuals stay above the noise")
-      ->check(from_to(0, 100))
-      ->capture_default_str();
-  app->add_option("--starts", options->fit.starts,
-                  "Starts anywhere in the ranges of parameters, at most, wherever the first fit "
-                  "ends [default: " +
-                      std::to_string(kRangeStarts) + ", with many samples " +
-                      std::to_string(kRangeStartsOfMany) +
-                      ", where a range is wide and residuals are above the noise]")
-      ->check(from_to(0, 10000));
-  app->add_flag("--profile", options->fit.profile,
-                "Profiles of the likelihood of every number, however long it takes");
-  app->add_flag("--bands", options->fit.bands,
-                "90 % bands of the free runs and of measured values");
-  app->add_option("--predict", options->conditions.paths,
-                  "Times, inputs and initial values of runs to predict, with bands")
-      ->type_name("DATA");
-  app->add_option("--model-out", options->model_out, "Write the fitted model")
-      ->type_name(kFile);
-  app->add_option("--json", options->json, "Write the result as JSON; - for standard output")
-      ->type_name(kFile);
-  declare_digits_option(*app, options->digits,
-                        "Digits of numbers in a .ode file of --model-out: auto (two of the 95 % "
-                        "interval), full, or so many; JSON has all [default: auto]");
-  declare_report_options(*app, options->report);
-  declare_effort_options(*app, options->run);
-  declare_run_options(*app, options->run);
-  return {app, [options](const Session& session) { return fit_command(session, *options); }};
+  Command command{"fit",
+                  "Estimate the numbers of a model of known structure, hidden states too"};
+  command.add("MODEL", &options->model.path, "Model file, or the name of a test system")
+      .require();
+  command
+      .add("DATA", &options->data.paths,
+           "Files (text, .gz, .npy) or quoted patterns; further models (.ode, .json) "
+           "among them are compared with the first")
+      .require();
+  command.add("--holdout DATA", &options->held_out.paths, "Records to check the fit on");
+  declare_column_options(command, options->data, false);
+  command
+      .add("--start-samples", &options->fit.window,
+           "First samples of a held-out record, which give its initial state")
+      .check(from_to(1, kMostSamples))
+      .show_default();
+  command
+      .add("--start-time T", &options->fit.start_time,
+           "Time at which records begin and initial values hold, before the first "
+           "sample")
+      .check(finite());
+  command.add("--deviation NAME=COLUMN", &options->deviations,
+              "Column with the standard deviation of each value of a column");
+  command.add("--ahead", &options->fit.prediction, "Samples ahead of the error of prediction")
+      .check(from_to(1, kMostSamples))
+      .show_default();
+  command
+      .add("--restarts", &options->fit.restarts,
+           "Other starts, at most, where residuals stay above the noise")
+      .check(from_to(0, 100))
+      .show_default();
+  command
+      .add("--starts", &options->fit.starts,
+           "Starts anywhere in the ranges of parameters, at most, wherever the first fit "
+           "ends [default: " +
+               std::to_string(options->fit.range_starts) + ", with many samples " +
+               std::to_string(options->fit.range_starts_of_many) +
+               ", where a range is wide and residuals are above the noise]")
+      .check(from_to(0, 10000));
+  command.add("--profile", &options->fit.profile,
+              "Profiles of the likelihood of every number, however long it takes");
+  command.add("--bands", &options->fit.bands,
+              "90 % bands of the free runs and of measured values");
+  command.add("--predict DATA", &options->conditions.paths,
+              "Times, inputs and initial values of runs to predict, with bands");
+  command.add("--model-out FILE|-", &options->model_out, "Write the fitted model");
+  command.add("--json FILE|-", &options->json,
+              "Write the result as JSON; - for standard output");
+  declare_digits_option(
+      command, options->digits,
+      "Digits of numbers in a .ode file of --model-out: auto (two of the 95 % "
+      "interval), full, or so many; JSON has all [default: auto]");
+  declare_report_options(command, options->report);
+  declare_effort_options(command, options->run);
+  declare_run_options(command, options->run);
+  command.run = [options](const Session& session) { return fit_command(session, *options); };
+  return command;
 }
 
 }  // namespace lacuna::cli

@@ -2,7 +2,6 @@
 // What --help shows: options in groups, those that are used most first.
 #include <algorithm>
 #include <array>
-#include <memory>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -14,7 +13,7 @@
 namespace lacuna::cli {
 namespace {
 
-using Options = std::vector<const CLI::Option*>;
+using Options = std::vector<const Option*>;
 
 /// A decision: so many options --help explains. Half as many leave the screen half empty; twice
 /// as many do not fit on it with what stands around them.
@@ -53,29 +52,19 @@ bool has_word(std::string_view words, std::string_view word) {
   return false;
 }
 
-/// "--output" of "-o,--output".
-std::string long_name(const CLI::Option& option) {
-  const auto& names = option.get_lnames();
-  return names.empty() ? option.get_name() : "--" + names.front();
-}
-
-std::string group_of(const CLI::Option& option) {
+std::string group_of(const Option& option) {
   for (const auto& [group, names] : kGroups)
-    if (has_word(names, long_name(option))) return std::string(group);
+    if (has_word(names, option.name())) return std::string(group);
   return "Method";
 }
 
-bool is_about_help(const CLI::App& app, const CLI::Option* option) {
-  return option == app.get_help_ptr() || option == app.get_help_all_ptr();
-}
-
-/// Options of a command but for those that show help, by use.
-Options options_by_use(const CLI::App& app) {
-  Options options = app.get_options([&](const CLI::Option* option) {
-    return option->nonpositional() && !is_about_help(app, option);
-  });
-  const auto rank = [](const CLI::Option* option) {
-    return std::find(kByUse.begin(), kByUse.end(), long_name(*option)) - kByUse.begin();
+/// Options of a command, by use.
+Options options_by_use(const Command& command) {
+  Options options;
+  for (const Option& option : command.options)
+    if (!option.is_argument()) options.push_back(&option);
+  const auto rank = [](const Option* option) {
+    return std::find(kByUse.begin(), kByUse.end(), option->name()) - kByUse.begin();
   };
   std::stable_sort(options.begin(), options.end(), [&](const auto* a, const auto* b) {
     return rank(a) < rank(b);
@@ -86,7 +75,7 @@ Options options_by_use(const CLI::App& app) {
 Options of_group(const Options& options, std::string_view group) {
   Options found;
   std::copy_if(options.begin(), options.end(), std::back_inserter(found),
-               [&](const CLI::Option* option) { return group_of(*option) == group; });
+               [&](const Option* option) { return group_of(*option) == group; });
   return found;
 }
 
@@ -98,78 +87,114 @@ std::string names_by_group(const Options& options) {
     std::string line = "  " + std::string(group);
     line.resize(kIndent - 1, ' ');
     const Options own = of_group(options, group);
-    for (const CLI::Option* option : own) line += " " + long_name(*option);
+    for (const Option* option : own) line += " " + option->name();
     if (!own.empty()) text += folded_line(line, kScreenColumns, kIndent) + "\n";
   }
   return text;
 }
 
-class HelpFormatter : public CLI::Formatter {
- public:
-  HelpFormatter() { column_width(kNameColumns); }
+/// What is explained: its name in the first column.
+std::string entry(const std::string& name, const std::string& description) {
+  const std::string begin = "  " + name;
+  const bool fits = begin.size() + 2 <= kNameColumns;
+  const std::string gap = fits ? std::string(kNameColumns - begin.size(), ' ')
+                               : "\n" + std::string(kNameColumns, ' ');
+  // The description is folded as if it began at the edge, and then moved.
+  std::string text = folded_line(description, kScreenColumns - kNameColumns, 0);
+  for (std::size_t at = text.find('\n'); at != std::string::npos; at = text.find('\n', at + 1))
+    text.insert(at + 1, kNameColumns, ' ');
+  return begin + gap + text + "\n";
+}
 
-  std::string make_help(const CLI::App* app, std::string name,
-                        CLI::AppFormatMode mode) const override {
-    if (app->get_parent() == nullptr) return CLI::Formatter::make_help(app, name, mode);
-    const Options options = options_by_use(*app);
-    return folded(make_description(app)) + "\n" + make_usage(app, std::move(name)) +
-           make_positionals(app) +
-           (mode == CLI::AppFormatMode::All || options.size() <= kMostUsed + 2
-                ? in_groups(options)
-                : most_used(*app, options));
-  }
+/// How a value is written where the option does not say it.
+std::string form_of(const Target& target) {
+  if (std::holds_alternative<std::uint64_t*>(target)) return "UINT";
+  if (std::holds_alternative<double*>(target) ||
+      std::holds_alternative<std::optional<double>*>(target))
+    return "FLOAT";
+  const bool is_whole = std::holds_alternative<int*>(target) ||
+                        std::holds_alternative<std::ptrdiff_t*>(target) ||
+                        std::holds_alternative<std::optional<int>*>(target);
+  return is_whole ? "INT" : "TEXT";
+}
 
-  std::string make_option(const CLI::Option* option, bool positional) const override {
-    return entry(make_option_name(option, positional) + make_option_opts(option),
-                 make_option_desc(option));
-  }
+std::string option_entry(const Option& option) {
+  std::string name = option.names;
+  if (!option.is_flag())
+    name += " " + (option.form.empty() ? form_of(option.target) : option.form);
+  if (!option.checked.shown.empty()) name += ":" + option.checked.shown;
+  if (!option.default_text.empty()) name += "=" + option.default_text;
+  if (option.is_list()) name += " ...";
+  if (option.is_required) name += " REQUIRED";
+  if (!option.excluded.empty()) name += " Excludes: " + option.excluded;
+  return entry(name, option.help);
+}
 
-  std::string make_footer(const CLI::App* app) const override {
-    return folded_line(app->get_footer(), kScreenColumns, 0) + "\n";
-  }
+std::string titled(const std::string& title, const Options& options) {
+  std::string text = "\n" + title + ":\n";
+  for (const Option* option : options) text += option_entry(*option);
+  return text;
+}
 
-  std::string make_subcommand(const CLI::App* command) const override {
-    return entry(command->get_display_name(true), command->get_description());
+std::string usage_of(const Command& command) {
+  std::string text = "Usage: lacuna " + command.name + " [OPTIONS]";
+  for (const Option& option : command.options) {
+    if (!option.is_argument()) continue;
+    const std::string word = option.names + (option.is_list() ? "..." : "");
+    text += " " + (option.is_required ? word : "[" + word + "]");
   }
+  return text + "\n";
+}
 
- private:
-  static std::string entry(const std::string& name, const std::string& description) {
-    const std::string begin = "  " + name;
-    const bool fits = begin.size() + 2 <= kNameColumns;
-    const std::string gap = fits ? std::string(kNameColumns - begin.size(), ' ')
-                                 : "\n" + std::string(kNameColumns, ' ');
-    // The description is folded as if it began at the edge, and then moved.
-    std::string text = folded_line(description, kScreenColumns - kNameColumns, 0);
-    for (std::size_t at = text.find('\n'); at != std::string::npos; at = text.find('\n', at + 1))
-      text.insert(at + 1, kNameColumns, ' ');
-    return begin + gap + text + "\n";
-  }
+std::string arguments_of(const Command& command) {
+  Options arguments;
+  for (const Option& option : command.options)
+    if (option.is_argument()) arguments.push_back(&option);
+  return arguments.empty() ? "" : titled("Positionals", arguments);
+}
 
-  std::string in_groups(const Options& options) const {
-    std::string text;
-    for (const auto& [group, known] : kGroups)
-      if (const Options own = of_group(options, group); !own.empty())
-        text += make_group(std::string(group), false, own);
-    return text;
-  }
+std::string in_groups(const Options& options) {
+  std::string text;
+  for (const auto& [group, known] : kGroups)
+    if (const Options own = of_group(options, group); !own.empty())
+      text += titled(std::string(group), own);
+  return text;
+}
 
-  std::string most_used(const CLI::App& app, const Options& options) const {
-    const Options first(options.begin(), options.begin() + kMostUsed);
-    const Options others(options.begin() + kMostUsed, options.end());
-    return make_group("Most used", false, first) + "\nMore (lacuna " + app.get_name() +
-           " --help-all):\n" + names_by_group(others);
-  }
-};
+std::string most_used(const Command& command, const Options& options) {
+  const Options first(options.begin(), options.begin() + kMostUsed);
+  const Options others(options.begin() + kMostUsed, options.end());
+  return titled("Most used", first) + "\nMore (lacuna " + command.name + " --help-all):\n" +
+         names_by_group(others);
+}
 
 }  // namespace
 
-void arrange_help(CLI::App& root) {
-  const auto formatter = std::make_shared<HelpFormatter>();
-  root.formatter(formatter);
-  for (CLI::App* command : root.get_subcommands({})) {
-    command->formatter(formatter);
-    command->set_help_all_flag("--help-all", "Show all options, in groups");
-  }
+std::string program_help(std::span<const Command> commands) {
+  std::string text =
+      "Finds the equations of a dynamical system in measured data.\n\n"
+      "  lacuna check record.csv\n"
+      "  lacuna identify record.csv --model-out model.json\n"
+      "  lacuna sync model.json other_record.csv\n"
+      "  lacuna diagnose --model nominal.json record.csv\n"
+      "  lacuna simulate model.json --x0 1,0,0 --t-end 100 --dt 0.1 -o orbit.csv\n"
+      "Usage: lacuna [OPTIONS] SUBCOMMAND\n\nOptions:\n" +
+      entry("-h,--help", "Print this help message and exit") +
+      entry("--version", "Display program version information and exit") + "\nSubcommands:\n";
+  for (const Command& command : commands) text += entry(command.name, command.description);
+  return text + "\n" +
+         folded_line(
+             "Each command has its own --help. Exit status: 0 done; 1 the numbers do not allow "
+             "an answer; 2 bad arguments, configuration or data; 130 interrupted.",
+             kScreenColumns, 0) +
+         "\n";
+}
+
+std::string command_help(const Command& command, bool all) {
+  const Options options = options_by_use(command);
+  return folded(command.description + "\n") + "\n" + usage_of(command) + arguments_of(command) +
+         (all || options.size() <= kMostUsed + 2 ? in_groups(options)
+                                                 : most_used(command, options));
 }
 
 }  // namespace lacuna::cli

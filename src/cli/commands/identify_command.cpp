@@ -28,59 +28,50 @@ struct IdentifyArguments : IdentifyRequest {
   TextOptions text;
 };
 
-void declare_pipeline_options(CLI::App& app, IdentifyArguments& options) {
-  app.add_option("--preset", options.preset,
-                 "Composition of stages to start from: algorithm1, paper, robust, sindy "
-                 "[default: algorithm1]")
-      ->type_name("NAME");
-  app.add_option("--config", options.config, "JSON file that overrides the preset by stages")
-      ->type_name("FILE");
-  CLI::Option* degree =
-      app.add_option("--degree", options.degree, "Monomials up to this degree [default: 3]")
-          ->type_name("D");
-  app.add_option("--terms", options.terms, "Candidate terms outright, e.g. \"sign(q_d1),1,F\"")
-      ->type_name("LIST")
-      ->excludes(degree);
-  app.add_flag("--discrete", options.discrete,
-               "Find a map x[n+1] = f(x[n]) instead of a flow dx/dt = f(x)");
-  app.add_option("--hidden", options.hidden,
-                 "States that nobody measured: 1, found by the derivative of a measured one")
-      ->type_name("N");
-  app.add_option("--add", options.added, "Terms beside the library, e.g. \"sin(th),w*abs(w)\"")
-      ->type_name("LIST");
-  app.add_option("--fix,--constraint", options.constraints,
-                 "What coefficients satisfy: \"dth: w = 1\", \"y: x*z, z: x*y = 0\" (the sum), "
-                 "\"y: x < 0\" (a sign), energy-preserving; repeatable")
-      ->type_name("STATE:TERM=VALUE");
-  app.add_option("--equation", options.equations,
-                 "The terms of one equation, e.g. \"dw: sin(th), w, u\"; repeatable")
-      ->type_name("STATE:LIST");
-  app.add_option("--alternatives", options.alternatives,
-                 "List so many models of other structure that the record cannot distinguish "
-                 "from the best, with criterion and held-out error")
-      ->type_name("N")
-      ->check(from_to(1, 1000));
-  app.add_option("--set", options.assignments,
-                 "One value of the configuration, e.g. regressor.threshold=0.05 or "
-                 "validation.resolution=1e-4 (see `describe validation`); repeatable")
-      ->type_name("PATH=VALUE");
+void declare_pipeline_options(Command& command, IdentifyArguments& options) {
+  command.add("--preset NAME", &options.preset,
+              "Composition of stages to start from: algorithm1, paper, robust, sindy "
+              "[default: algorithm1]");
+  command.add("--config FILE", &options.config,
+              "JSON file that overrides the preset by stages");
+  command.add("--degree D", &options.degree, "Monomials up to this degree [default: 3]")
+      .exclude("--terms");
+  command
+      .add("--terms LIST", &options.terms, "Candidate terms outright, e.g. \"sign(q_d1),1,F\"")
+      .exclude("--degree");
+  command.add("--discrete", &options.discrete,
+              "Find a map x[n+1] = f(x[n]) instead of a flow dx/dt = f(x)");
+  command.add("--hidden N", &options.hidden,
+              "States that nobody measured: 1, found by the derivative of a measured one");
+  command.add("--add LIST", &options.added,
+              "Terms beside the library, e.g. \"sin(th),w*abs(w)\"");
+  command.add("--fix,--constraint STATE:TERM=VALUE", &options.constraints,
+              "What coefficients satisfy: \"dth: w = 1\", \"y: x*z, z: x*y = 0\" (the sum), "
+              "\"y: x < 0\" (a sign), energy-preserving; repeatable");
+  command.add("--equation STATE:LIST", &options.equations,
+              "The terms of one equation, e.g. \"dw: sin(th), w, u\"; repeatable");
+  command
+      .add("--alternatives N", &options.alternatives,
+           "List so many models of other structure that the record cannot distinguish "
+           "from the best, with criterion and held-out error")
+      .check(from_to(1, 1000));
+  command.add("--set PATH=VALUE", &options.assignments,
+              "One value of the configuration, e.g. regressor.threshold=0.05 or "
+              "validation.resolution=1e-4 (see `describe validation`); repeatable");
 }
 
-void declare_output_options(CLI::App& app, IdentifyArguments& options) {
-  app.add_option("--model-out", options.model_out,
-                 "Save the model (lacuna.model/1); - for standard output")
-      ->type_name(kFile);
-  app.add_option("--json", options.json,
-                 "Write the whole result as JSON; - for standard output")
-      ->type_name(kFile);
-  declare_report_options(app, options.report);
-  app.add_flag("--explain", options.text.explain,
-               "Show how the answer came about: fits, noise, removed terms, relations, all "
-               "warnings");
-  declare_digits_option(app, options.text.digits);
-  app.add_option("--integrator", options.integrator, "Method of the verification")
-      ->type_name("NAME")
-      ->capture_default_str();
+void declare_output_options(Command& command, IdentifyArguments& options) {
+  command.add("--model-out FILE|-", &options.model_out,
+              "Save the model (lacuna.model/1); - for standard output");
+  command.add("--json FILE|-", &options.json,
+              "Write the whole result as JSON; - for standard output");
+  declare_report_options(command, options.report);
+  command.add("--explain", &options.text.explain,
+              "Show how the answer came about: fits, noise, removed terms, relations, all "
+              "warnings");
+  declare_digits_option(command, options.text.digits);
+  command.add("--integrator NAME", &options.integrator, "Method of the verification")
+      .show_default();
 }
 
 Configuration make_configuration(const IdentifyRequest& request) {
@@ -286,26 +277,26 @@ std::string text_of(const IdentifyAnswer& answer, const TextOptions& options) {
          (options.explain ? unused_text(answer.asked) : "");
 }
 
-Command declare_identify(CLI::App& root) {
+Command declare_identify() {
   auto options = std::make_shared<IdentifyArguments>();
-  CLI::App* app = root.add_subcommand(
-      "identify", "Find the equations of motion in measured data and verify them");
-  app->add_option("DATA", options->data.paths, "Files (text, .gz, .npy) or quoted patterns")
-      ->required();
-  app->add_option("--holdout", options->held_out.paths,
-                  "Records to judge the model by [default: a quarter of DATA, in blocks]")
-      ->type_name("DATA");
-  declare_column_options(*app, options->data, true);
-  declare_pipeline_options(*app, *options);
-  declare_output_options(*app, *options);
-  declare_size_option(*app, "--memory", options->memory,
-                      "Records that do not fit into so much are read in pieces, e.g. 300MB; "
-                      "those that are no .npy by way of a file in $TMPDIR [default: all are "
-                      "read into memory]");
-  declare_run_options(*app, options->run);
-  declare_effort_options(*app, options->run);
-  return {app,
-          [options](const Session& session) { return identify_command(session, *options); }};
+  Command command{"identify", "Find the equations of motion in measured data and verify them"};
+  command.add("DATA", &options->data.paths, "Files (text, .gz, .npy) or quoted patterns")
+      .require();
+  command.add("--holdout DATA", &options->held_out.paths,
+              "Records to judge the model by [default: a quarter of DATA, in blocks]");
+  declare_column_options(command, options->data, true);
+  declare_pipeline_options(command, *options);
+  declare_output_options(command, *options);
+  command.add("--memory SIZE", bytes_in(options->memory),
+              "Records that do not fit into so much are read in pieces, e.g. 300MB; "
+              "those that are no .npy by way of a file in $TMPDIR [default: all are "
+              "read into memory]");
+  declare_run_options(command, options->run);
+  declare_effort_options(command, options->run);
+  command.run = [options](const Session& session) {
+    return identify_command(session, *options);
+  };
+  return command;
 }
 
 }  // namespace lacuna::cli

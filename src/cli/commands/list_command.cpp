@@ -98,15 +98,15 @@ std::string list_of_parts(const Registry& registry, const std::string& kind) {
   return part_lines(lines, kind);
 }
 
-Command declare_list(CLI::App& root) {
+Command declare_list() {
   auto kind = std::make_shared<std::string>();
-  CLI::App* app =
-      root.add_subcommand("list", "Show every part: bases, filters, regressors, ...");
-  app->add_option("KIND", *kind, "Only this kind of part");
-  return {app, [kind](const Session& session) {
-            show(session, list_of_parts(session.registry, *kind));
-            return 0;
-          }};
+  Command command{"list", "Show every part: bases, filters, regressors, ..."};
+  command.add("KIND", kind.get(), "Only this kind of part");
+  command.run = [kind](const Session& session) {
+    show(session, list_of_parts(session.registry, *kind));
+    return 0;
+  };
+  return command;
 }
 
 }  // namespace lacuna::cli

@@ -25,16 +25,14 @@ int model_command(const Session& session, const ModelArguments& options) {
 
 }  // namespace
 
-Command declare_model(CLI::App& root) {
+Command declare_model() {
   auto options = std::make_shared<ModelArguments>();
-  CLI::App* app =
-      root.add_subcommand("model", "Convert a model: text (.ode) to JSON (.json) and back");
-  app->add_option("MODEL", options->model, "Model file, or the name of a test system")
-      ->required();
-  app->add_option("-o,--output", options->output,
-                  "File to write, .ode or .json; - is standard output, in the other format")
-      ->type_name(kFile);
-  return {app, [options](const Session& session) { return model_command(session, *options); }};
+  Command command{"model", "Convert a model: text (.ode) to JSON (.json) and back"};
+  command.add("MODEL", &options->model, "Model file, or the name of a test system").require();
+  command.add("-o,--output FILE|-", &options->output,
+              "File to write, .ode or .json; - is standard output, in the other format");
+  command.run = [options](const Session& session) { return model_command(session, *options); };
+  return command;
 }
 
 }  // namespace lacuna::cli

@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kPictureEnding = ".svg";
+constexpr const char *kPictureEnding = ".svg", *kPictures = "FOLDER";
 
 /// Where a file is, there or not yet, behind its links; empty where that is not known.
 fs::path real_place(const fs::path& path) {
@@ -23,9 +23,8 @@ fs::path real_place(const fs::path& path) {
   return fs::weakly_canonical(fs::absolute(written_file(path), unknown), unknown);
 }
 
-bool is_output(const CLI::Option& option) {
-  const std::string form = option.get_type_name();
-  return form.ends_with("|-") || form == kPictures;
+bool is_output(const Option& option) {
+  return option.form.ends_with("|-") || option.form == kPictures;
 }
 
 /// Whether both are one file, there or not yet.
@@ -88,21 +87,20 @@ void check_apart(const OutputFile& output, const std::vector<OutputFile>& before
 
 }  // namespace
 
-std::vector<OutputFile> outputs_of(const CLI::App& command) {
+std::vector<OutputFile> outputs_of(const std::vector<GivenOption>& given) {
   std::vector<OutputFile> outputs;
-  for (const CLI::Option* option : command.get_options())
+  for (const auto& [option, words] : given)
     if (is_output(*option))
-      for (const std::string& path : option->results())
-        outputs.push_back(
-            {"--" + option->get_lnames().front(), path, option->get_type_name() == kPictures});
+      for (const std::string& path : words)
+        outputs.push_back({option->name(), path, option->form == kPictures});
   return outputs;
 }
 
-std::vector<fs::path> files_read_by(const CLI::App& command) {
+std::vector<fs::path> files_read_by(const std::vector<GivenOption>& given) {
   std::vector<fs::path> files;
-  for (const CLI::Option* option : command.get_options()) {
+  for (const auto& [option, words] : given) {
     if (is_output(*option)) continue;
-    for (const std::string& word : option->results())
+    for (const std::string& word : words)
       for (fs::path& file : files_named(word)) files.push_back(std::move(file));
   }
   return files;

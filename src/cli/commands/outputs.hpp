@@ -2,19 +2,13 @@
 // What is read and what is written are kept apart, for all commands in one place.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <filesystem>
 #include <string>
 #include <vector>
 
+#include "cli/parsing/options.hpp"
+
 namespace lacuna::cli {
-
-/// What the help shows behind an option that takes a file to write; "-" is standard output.
-/// Every option with such a form is one (outputs_of()).
-inline constexpr const char *kFile = "FILE|-", *kPage = "FILE.html|-", *kModel = "FILE.ode|-";
-
-/// The same of a folder into which pictures are written.
-inline constexpr const char* kPictures = "FOLDER";
 
 /// A file, or a folder of pictures, that a command is going to write.
 struct OutputFile {
@@ -23,12 +17,13 @@ struct OutputFile {
   bool is_folder = false;
 };
 
-/// What the options of a command that were given write.
-std::vector<OutputFile> outputs_of(const CLI::App& command);
+/// What the options that were given write: those with the form "FILE|-" (or "FILE.html|-"; "-"
+/// is standard output) a file, those with the form "FOLDER" pictures.
+std::vector<OutputFile> outputs_of(const std::vector<GivenOption>& given);
 
 /// All files that are there and that any other word of the command names, patterns and sheets
 /// of workbooks taken apart (files_named()): what may be read.
-std::vector<std::filesystem::path> files_read_by(const CLI::App& command);
+std::vector<std::filesystem::path> files_read_by(const std::vector<GivenOption>& given);
 
 /// Keeps apart what is read and what is written, and tries whether it can be written, before
 /// any work is done. One file is one, by whatever links and names it is called.

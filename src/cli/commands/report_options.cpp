@@ -28,29 +28,24 @@ void write_pictures(const std::string& folder, const Page& page) {
 
 }  // namespace
 
-void declare_report_options(CLI::App& app, ReportOptions& options) {
-  app.add_option("--report", options.page,
-                 "Write the answer with its pictures as one HTML page that needs no network")
-      ->type_name(kPage);
-  app.add_flag("--open", options.open, "Show the page of --report in a browser");
-  app.add_option("--plot", options.pictures, "Write the pictures of the page as .svg files")
-      ->type_name(kPictures);
+void declare_report_options(Command& command, ReportOptions& options) {
+  command.add("--report FILE.html|-", &options.page,
+              "Write the answer with its pictures as one HTML page that needs no network");
+  command.add("--open", &options.open, "Show the page of --report in a browser");
+  command.add("--plot FOLDER", &options.pictures,
+              "Write the pictures of the page as .svg files");
 }
 
-void declare_digits_option(CLI::App& app, Digits& digits, const std::string& description) {
-  const auto wrong = [](const std::string& text) -> std::string {
+void declare_digits_option(Command& command, Digits& digits, const std::string& description) {
+  const auto read = [&digits](const std::string& text) -> std::string {
     try {
-      parse_digits(text);
+      digits = parse_digits(text);
     } catch (const ConfigError& error) {
       return error.what();
     }
     return "";
   };
-  app.add_option_function<std::string>(
-         "--digits", [&digits](const std::string& text) { digits = parse_digits(text); },
-         description)
-      ->check(wrong, "")
-      ->type_name("auto|full|N");
+  command.add("--digits auto|full|N", read, description);
 }
 
 std::string model_text(const std::string& path, const SystemModel& model,

@@ -20,14 +20,14 @@ struct ReportOptions {
 };
 
 /// The options `--report`, `--open` and `--plot`.
-void declare_report_options(CLI::App& app, ReportOptions& options);
+void declare_report_options(Command& command, ReportOptions& options);
 
 /// The option `--digits`. @param description of what has them.
-void declare_digits_option(
-    CLI::App& app, Digits& digits,
-    const std::string& description = "Digits of a model's numbers in text and .ode files: auto "
-                                     "(two of the 95 % interval), full, or so many; JSON has "
-                                     "all [default: auto]");
+void declare_digits_option(Command& command, Digits& digits,
+                           const std::string& description =
+                               "Digits of a model's numbers in text and .ode files: auto "
+                               "(two of the 95 % interval), full, or so many; JSON has "
+                               "all [default: auto]");
 
 /// A model as a file of that name holds it: text (.ode), which people read, with these digits,
 /// JSON with all.

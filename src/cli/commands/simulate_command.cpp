@@ -293,44 +293,42 @@ int simulate_command(const Session& session, const SimulateArguments& options) {
   return 0;
 }
 
-void declare_options(CLI::App& app, SimulateArguments& options) {
-  app.add_option("MODEL", options.model.path, "Model file, or the name of a test system")
-      ->required();
-  app.add_option("--x0", options.x0,
-                 "Start: one number per state, in the order of the model; else its `initial`, of a "
-                 "test system its own")
-      ->type_name("v1,v2,...");
-  app.add_option(
-         "--t-start", options.t_start,
-         "First time, in the model's time unit; else that of the initial values, that of "
-         "the input record, or 0")
-      ->check(finite());
-  app.add_option("--t-end", options.t_end,
-                 "Last time, in the model's time unit [default: the end of the input record]")
-      ->check(finite());
-  app.add_option(
-         "--dt", options.step,
-         "Step of the output, in the model's time unit [default: the times of the input "
-         "record]; of a map, time from one value to the next [default: 1]")
-      ->check(finite());
-  app.add_option("-o,--output", options.output, "CSV file [default: standard output]")
-      ->type_name(kFile);
-  app.add_option("--integrator", options.integrator, "Method; see `lacuna list integrator`")
-      ->type_name("NAME")
-      ->capture_default_str();
-  app.add_option("--input-data", options.inputs.paths,
-                 "Record with a column for each input of the model; they are written beside the "
-                 "states")
-      ->type_name("FILE")
-      ->expected(1);
-  app.add_option("--noise", options.noise,
-                 "Standard deviation of white noise that is added to a state or an output")
-      ->type_name("NAME=SD");
-  declare_hold_option(app, options.data);
-  declare_map_option(app, options.data);
-  app.add_option("--time", options.input_time, "Time column of the input record")
-      ->type_name("NAME");
-  declare_run_options(app, options.run);
+void declare_options(Command& command, SimulateArguments& options) {
+  command.add("MODEL", &options.model.path, "Model file, or the name of a test system")
+      .require();
+  command.add(
+      "--x0 v1,v2,...", &options.x0,
+      "Start: one number per state, in the order of the model; else its `initial`, of a "
+      "test system its own");
+  command
+      .add("--t-start", &options.t_start,
+           "First time, in the model's time unit; else that of the initial values, that of "
+           "the input record, or 0")
+      .check(finite());
+  command
+      .add("--t-end", &options.t_end,
+           "Last time, in the model's time unit [default: the end of the input record]")
+      .check(finite());
+  command
+      .add("--dt", &options.step,
+           "Step of the output, in the model's time unit [default: the times of the input "
+           "record]; of a map, time from one value to the next [default: 1]")
+      .check(finite());
+  command.add("-o,--output FILE|-", &options.output, "CSV file [default: standard output]");
+  command.add("--integrator NAME", &options.integrator, "Method; see `lacuna list integrator`")
+      .show_default();
+  command
+      .add("--input-data FILE", &options.inputs.paths,
+           "Record with a column for each input of the model; they are written beside the "
+           "states")
+      .expect_one();
+  command.add("--noise NAME=SD", &options.noise,
+              "Standard deviation of white noise that is added to a state or an output");
+  declare_hold_option(command, options.data);
+  declare_map_option(command, options.data);
+  command.add("--time NAME", &options.input_time, "Time column of the input record");
+  declare_run_options(command, options.run);
+  declare_time_limit(command, options.run);
 }
 
 }  // namespace
@@ -354,12 +352,14 @@ SimulateAnswer answer(const Registry& registry, const SimulateRequest& request,
   return result;
 }
 
-Command declare_simulate(CLI::App& root) {
+Command declare_simulate() {
   auto options = std::make_shared<SimulateArguments>();
-  CLI::App* app = root.add_subcommand("simulate", "Solve a model from a given start");
-  declare_options(*app, *options);
-  return {app,
-          [options](const Session& session) { return simulate_command(session, *options); }};
+  Command command{"simulate", "Solve a model from a given start"};
+  declare_options(command, *options);
+  command.run = [options](const Session& session) {
+    return simulate_command(session, *options);
+  };
+  return command;
 }
 
 }  // namespace lacuna::cli

@@ -58,10 +58,10 @@ std::optional<std::string> time_unit_for(const DataOptions& options, const Recor
 std::string line_for(std::vector<std::string> words, const DataOptions& data,
                      const std::vector<std::string>& flags) {
   words.insert(words.end(), data.paths.begin(), data.paths.end());
-  using Option = std::pair<const char*, const std::optional<std::string>&>;
+  using Given = std::pair<const char*, const std::optional<std::string>&>;
   for (const auto& [flag, value] :
-       {Option{"--time", data.time}, Option{"--time-unit", data.time_unit},
-        Option{"--trajectory", data.trajectory}})
+       {Given{"--time", data.time}, Given{"--time-unit", data.time_unit},
+        Given{"--trajectory", data.trajectory}})
     if (value) words.insert(words.end(), {flag, *value});
   if (data.step) words.insert(words.end(), {"--dt", format_number(*data.step)});
   for (const std::string& map : data.names) words.insert(words.end(), {"--map", map});
@@ -104,20 +104,20 @@ int start_command(const Session& session, const StartArguments& options) {
 
 }  // namespace
 
-Command declare_start(CLI::App& root) {
+Command declare_start() {
   auto options = std::make_shared<StartArguments>();
-  CLI::App* app = root.add_subcommand(
-      "start", "Look at a file, ask what its columns are, write a model's skeleton and the "
-               "commands for next time");
-  app->add_option("DATA", options->data.paths, "Files (text, .gz, .npy) or quoted patterns")
-      ->required();
-  declare_column_options(*app, options->data, true);
-  app->add_option("--model-out", options->skeleton,
-                  "The skeleton [default: as the record is called, .ode, in this folder]")
-      ->type_name(kModel);
-  app->add_flag("--yes", options->yes, "Ask nothing: take what the samples propose");
-  app->add_flag("--replace", options->replace, "Write over a skeleton that is there");
-  return {app, [options](const Session& session) { return start_command(session, *options); }};
+  Command command{"start",
+                  "Look at a file, ask what its columns are, write a model's skeleton and the "
+                  "commands for next time"};
+  command.add("DATA", &options->data.paths, "Files (text, .gz, .npy) or quoted patterns")
+      .require();
+  declare_column_options(command, options->data, true);
+  command.add("--model-out FILE.ode|-", &options->skeleton,
+              "The skeleton [default: as the record is called, .ode, in this folder]");
+  command.add("--yes", &options->yes, "Ask nothing: take what the samples propose");
+  command.add("--replace", &options->replace, "Write over a skeleton that is there");
+  command.run = [options](const Session& session) { return start_command(session, *options); };
+  return command;
 }
 
 }  // namespace lacuna::cli

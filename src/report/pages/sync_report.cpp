@@ -5,6 +5,7 @@
 
 #include "core/base/text.hpp"
 #include "report/json/adequacy_json.hpp"
+#include "report/json/stages_json.hpp"
 #include "report/json/sync_json.hpp"
 
 namespace lacuna {
@@ -65,6 +66,7 @@ std::string format_json(const SyncReport& report) {
   nlohmann::ordered_json json;
   json["format"] = "lacuna.sync/1";
   json.update(sync_to_json(report));
+  json["stages"] = stages_json(report.result.stages);
   return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
 

@@ -58,8 +58,9 @@ std::string help_of(const std::string& command) {
 
 TEST(FitCommand, HelpSaysTheDefaultsThatAreTaken) {
   EXPECT_THAT(help_of("fit"),
-              HasSubstr("[default: " + std::to_string(kRangeStarts) + ", with many samples " +
-                        std::to_string(kRangeStartsOfMany) + ","));
+              HasSubstr("[default: " + std::to_string(FitOptions{}.range_starts) +
+                        ", with many samples " +
+                        std::to_string(FitOptions{}.range_starts_of_many) + ","));
   EXPECT_THAT(help_of("diagnose"),
               HasSubstr("at most so many effects [default: " +
                         std::to_string(DecisionOptions{}.max_effects) + "]"));
@@ -314,9 +315,8 @@ TEST(FitCommand, TheFirstAnswerStaysWhereTheRestIsInterrupted) {
                              .streams = {out, err},
                              .stop = stop.get_token(),
                              .begin = {}};  // long ago: the run takes longer than a moment
-  CLI::App root;
-  const cli::Command command = cli::declare_fit(root);
-  root.parse("fit \"" + model + "\" \"" + records.oscillator() + "\" --progress always");
+  const cli::Command command = cli::declare_fit();
+  cli::parse({&command, 1}, {"fit", model, records.oscillator(), "--progress", "always"});
   EXPECT_THROW(command.run(session), Cancelled);
   EXPECT_THAT(screen.str(), HasSubstr("First answer, from the given start"));
   EXPECT_THAT(screen.str(), HasSubstr("c "));
