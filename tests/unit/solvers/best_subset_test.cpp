@@ -3,11 +3,13 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
+#include <cmath>
 #include <limits>
 #include <map>
 
 #include "lacuna/solvers/best_subset.hpp"
 #include "lacuna/solvers/ensemble.hpp"
+#include "solvers/subset_fit.hpp"
 #include "support/sparse_problem.hpp"
 #include "unit/solvers/random_rows.hpp"
 
@@ -35,6 +37,18 @@ double least_of_all(const RandomRows& data, Index most, double penalty) {
       least = std::min(least, score_of(data, terms, penalty));
   }
   return least;
+}
+
+TEST(SubsetScore, IsThatOfSchwarz) {
+  Random random(3);
+  const RandomRows data = random_rows(50, 3, 2, 0.5, random);
+  const LeastSquaresSystem system = data.system();
+  const SubsetScore score(system.subproblem(0, system.all_terms()), 1.5);
+  const double y = data.y.norm();
+  EXPECT_NEAR(score(0.1 * y, 3), 100.0 * std::log(0.1) + 4.5 * std::log(50.0), 1e-9);
+  EXPECT_EQ(score(1e-14 * y, 3), score(1e-13 * y, 3));
+  const double r = 0.4 * y, gain = score.least_gain(r);
+  EXPECT_NEAR(score(std::sqrt(r * r - gain), 4), score(r, 3), 1e-9);
 }
 
 TEST(BestSubset, IsTheBestOfAllSets) {

@@ -13,7 +13,6 @@ namespace lacuna {
 namespace {
 
 using ::testing::HasSubstr;
-using ::testing::Not;
 
 /// A diagnosis of the oscillator with these effects in dv/dt.
 Diagnosis with_effects(const std::vector<std::string>& names) {
@@ -58,11 +57,6 @@ TEST(FleetReport, CandidatesWithoutAVerdictAreNotFound) {
   open.verdict = Verdict::Undetermined;
   open.admission = {Standing::Undetermined, "noise is as slow as that"};
   EXPECT_TRUE(fleet_answer("a.csv", open).effects.empty());
-}
-
-TEST(FleetReport, WithoutEffectsThereIsNoTableOfThem) {
-  EXPECT_THAT(format_text({fleet_answer("a.csv", with_effects({}))}),
-              Not(HasSubstr("Effects")));
 }
 
 TEST(FleetReport, AnswersGoFromProcessToProcess) {

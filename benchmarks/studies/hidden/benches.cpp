@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "hidden/support/benches.hpp"
+#include "benches.hpp"
 
 #include <cmath>
 
