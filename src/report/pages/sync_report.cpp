@@ -3,6 +3,7 @@
 
 #include <sstream>
 
+#include "core/base/json.hpp"
 #include "core/base/text.hpp"
 #include "report/json/adequacy_json.hpp"
 #include "report/json/sync_json.hpp"
@@ -65,7 +66,7 @@ std::string format_json(const SyncReport& report) {
   nlohmann::ordered_json json;
   json["format"] = "lacuna.sync/1";
   json.update(sync_to_json(report));
-  return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+  return json_lines(json);
 }
 
 std::string format_text(const SyncReport& report) {
