@@ -7,7 +7,7 @@ set -euo pipefail
 cd "$(dirname "$0")/.."
 minutes=${1:-1} seed=${2:-1}
 targets=("${@:3}")
-[ ${#targets[@]} -gt 0 ] || targets=(text gzip npy expression model configuration export answers)
+[ ${#targets[@]} -gt 0 ] || targets=(text gzip npy expression model configuration answers)
 seconds=$(awk "BEGIN { printf \"%d\", 60 * $minutes }")
 preset=dev
 command -v clang++ > /dev/null && preset=fuzz

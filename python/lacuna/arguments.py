@@ -7,7 +7,7 @@ import os
 from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
-from .errors import Error
+from .errors import ArgumentError, Error
 from .frames import has_names, is_list_of_records, is_numbered, is_path, says_time, with_columns
 from .model import Model
 from .own import Basis, Regressor
@@ -105,6 +105,13 @@ def _with_names_of(model: Any, data: Any, columns: Mapping[str, Any]) -> Mapping
 
 def input_arguments(model: ModelLike, inputs: Any, t: Any) -> dict[str, Any]:
     """A record that drives a model: arrays are its inputs in their order, at times t."""
+    if is_path(inputs) and inputs in as_model(model).inputs and not os.path.exists(inputs):
+        raise ArgumentError(
+            "inputs",
+            f"'{inputs}' is the name of an input, not its values",
+            "give a record with a column for each input of the model (Records, a path, a frame), "
+            "or an array of shape (n, p) at the times t",
+        )
     if isinstance(inputs, Records):
         records = inputs
     elif is_path(inputs) or says_time(inputs):

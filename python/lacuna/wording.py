@@ -30,7 +30,7 @@ ARGUMENTS = {
 SAME = {
     "add", "ahead", "coupling", "degree", "derivatives", "differentiator", "discrete", "dt",
     "effort", "embed", "hidden", "hold", "holdout", "inputs", "integrator", "limits", "memory",
-    "noise", "preset", "seed", "states", "terms", "threads", "trajectory", "x0",
+    "noise", "preset", "seed", "starts", "states", "terms", "threads", "trajectory", "x0",
 }  # fmt: skip
 PAIRS = {"coupling", "hold", "map", "noise", "set"}  # arguments that are dictionaries
 

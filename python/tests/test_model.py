@@ -125,6 +125,14 @@ def test_scipy_solves_what_the_library_simulates() -> None:
     np.testing.assert_array_equal(ours.t, times)
 
 
+def test_a_name_of_an_input_is_not_taken_for_a_file_of_its_values() -> None:
+    model = lacuna.Model.from_text("input wind\ndx/dt = wind - x")
+    with pytest.raises(lacuna.ArgumentError, match=r"name of an input.*array of shape \(n, p\)"):
+        lacuna.simulate(model, [1], np.linspace(0, 1, 5), inputs="wind")
+    with pytest.raises(lacuna.FileError, match=r"gale\.csv"):
+        lacuna.simulate(model, [1], np.linspace(0, 1, 5), inputs="gale.csv")
+
+
 @pytest.mark.parametrize("name", ["lorenz", "rossler"])
 def test_sympy_has_the_same_values(name: str) -> None:
     model = lacuna.Model.load(name)

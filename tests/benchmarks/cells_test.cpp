@@ -68,15 +68,6 @@ std::vector<fs::path> files_in(const TemporaryFolder& folder) {
   return files;
 }
 
-TEST(Cells, BelongToTheProcessesInTurn) {
-  const Share share{1, 3};
-  EXPECT_FALSE(share.has(0));
-  EXPECT_TRUE(share.has(1));
-  EXPECT_FALSE(share.has(2));
-  EXPECT_TRUE(share.has(4));
-  EXPECT_TRUE(Share{}.has(5));
-}
-
 TEST(Cells, AreComputedOnceAndReadAfterwards) {
   const TemporaryFolder folder;
   Counted first, second;
@@ -156,14 +147,6 @@ TEST(Cells, ThatAreHalfWrittenAreComputedAgain) {
   EXPECT_EQ(third.computed, 0);
 }
 
-TEST(Cells, ThatAreDamagedAreMissingToOtherProcesses) {
-  const TemporaryFolder folder;
-  Counted first, second;
-  run_cells(store_in(folder, {0, 2}), first.cells());
-  fs::resize_file(files_in(folder)[0], 10);
-  EXPECT_FALSE(run_cells(store_in(folder, {1, 2}), second.cells()).has_value());
-}
-
 TEST(Cells, ThatAreForeignAreAnError) {
   const TemporaryFolder folder;
   Counted first, second;
@@ -177,16 +160,6 @@ TEST(Cells, ThatAreForeignAreAnError) {
                           files[1].string(), "is not the cell 'case", "remove the file");
 }
 
-TEST(Cells, WithOtherValuesAreAnError) {
-  const TemporaryFolder folder;
-  Counted study;
-  run_cells(store_in(folder), study.cells());
-  Cells<std::string> other;
-  other.add("case 0/a", [] { return ""; });
-  expect_error<DataError>([&] { run_cells(store_in(folder), other); },
-                          "cell 'case 0/a' of study_some", "other values", "--cells");
-}
-
 TEST(Cells, OfSeveralProcessesNeedAFolder) {
   Counted study;
   expect_error<ConfigError>(
@@ -197,44 +170,6 @@ TEST(Cells, OfSeveralProcessesNeedAFolder) {
   EXPECT_EQ(study.computed, 0);
 }
 
-TEST(Cells, HaveNamesOfTheirOwn) {
-  Counted study;
-  Cells<Row> cells = study.cells();
-  cells.add(cells.names()[2], [] { return Row{}; });
-  EXPECT_THROW(run_cells({"some", ""}, cells), ArgumentError);
-}
-
-TEST(Cells, CannotBeKeptInAFile) {
-  const TemporaryFolder folder;
-  folder.write("some", "a file");
-  Counted study;
-  EXPECT_THROW(run_cells(store_in(folder), study.cells()), FileError);
-}
-
-TEST(Cells, TellOfEveryMachineAndTheLastDay) {
-  const Origin origin = origin_of({{{}, "A, 2 cores", "2026-02-01", 1.5},
-                                   {{}, "B, 4 cores", "2026-03-01", 2.0},
-                                   {{}, "A, 2 cores", "2026-01-01", 0.25}});
-  EXPECT_EQ(origin.machine, "A, 2 cores; B, 4 cores");
-  EXPECT_EQ(origin.day, "2026-03-01");
-  EXPECT_EQ(origin.seconds, 3.75);
-}
-
-TEST(FileDigest, IsThatOfTheContent) {
-  const TemporaryFolder folder;
-  const std::string a = folder.write("a", "data"), b = folder.write("b", "data");
-  EXPECT_EQ(file_digest(a), file_digest(b));
-  folder.write("b", "date");
-  EXPECT_NE(file_digest(a), file_digest(b));
-  EXPECT_THROW(file_digest(folder.file("c")), FileError);
-}
-
-TEST(ShareOfLauncher, IsAllWhereNothingIsTold) {
-  const Environment environment({});
-  EXPECT_EQ(share_of_launcher().rank, 0);
-  EXPECT_EQ(share_of_launcher().size, 1);
-}
-
 TEST(ShareOfLauncher, IsReadFromEachLauncher) {
   for (const auto& [rank, size] : {std::pair{"OMPI_COMM_WORLD_RANK", "OMPI_COMM_WORLD_SIZE"},
                                    {"PMI_RANK", "PMI_SIZE"},
@@ -243,15 +178,6 @@ TEST(ShareOfLauncher, IsReadFromEachLauncher) {
     EXPECT_EQ(share_of_launcher().rank, 2) << rank;
     EXPECT_EQ(share_of_launcher().size, 5) << size;
   }
-}
-
-TEST(ShareOfLauncher, OfMpirunWithinAJobOfSlurmIsThatOfMpirun) {
-  const Environment environment({{"SLURM_PROCID", "0"},
-                                 {"SLURM_STEP_NUM_TASKS", "1"},
-                                 {"OMPI_COMM_WORLD_RANK", "1"},
-                                 {"OMPI_COMM_WORLD_SIZE", "2"}});
-  EXPECT_EQ(share_of_launcher().rank, 1);
-  EXPECT_EQ(share_of_launcher().size, 2);
 }
 
 TEST(ShareOfLauncher, IsAllInABatchScript) {

@@ -4,16 +4,13 @@
 
 #include "hidden/support/cases.hpp"
 #include "hidden/support/reality.hpp"
-#include "lacuna/cli/configuration/registry.hpp"
-#include "lacuna/diagnose/journey/diagnose.hpp"
+#include "hidden/whole_vocabulary.hpp"
 
 namespace lacuna::hidden {
 namespace {
 
 Diagnosis diagnosed(const HiddenCase& hidden, const Records& records) {
-  DiagnosisOptions options;
-  options.effects = default_registry().make_all<Effect>();
-  return diagnose(hidden.nominal, records.find, records.check, options, RunContext{});
+  return diagnosis_of(hidden.nominal, records.find, records.check);
 }
 
 class ClaimedGap : public testing::TestWithParam<std::string> {};

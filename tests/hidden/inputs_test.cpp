@@ -8,8 +8,7 @@
 
 #include "hidden/support/cases.hpp"
 #include "hidden/support/records.hpp"
-#include "lacuna/cli/configuration/registry.hpp"
-#include "lacuna/diagnose/journey/diagnose.hpp"
+#include "hidden/whole_vocabulary.hpp"
 
 namespace lacuna::hidden {
 namespace {
@@ -50,9 +49,7 @@ Diagnosis diagnosed(const std::string& name, Index input, const Recorder& record
   for (Dataset* data : {&find, &check})
     for (Trajectory& record : data->trajectories)
       record.inputs.col(input) = recorder(record.inputs.col(input));
-  DiagnosisOptions options;
-  options.effects = default_registry().make_all<Effect>();
-  return diagnose(hidden.nominal, find, check, options, RunContext{});
+  return diagnosis_of(hidden.nominal, find, check);
 }
 
 TEST(Inputs, OneSampleLateIsAllThatIsSaid) {

@@ -8,8 +8,7 @@
 #include "hidden/support/case_builder.hpp"
 #include "hidden/support/records.hpp"
 #include "hidden/support/score.hpp"
-#include "lacuna/cli/configuration/registry.hpp"
-#include "lacuna/diagnose/journey/diagnose.hpp"
+#include "hidden/whole_vocabulary.hpp"
 
 namespace lacuna::hidden {
 namespace {
@@ -53,18 +52,16 @@ Diagnosis diagnosed(const Nameless& one, std::uint64_t seed) {
                                 .inexpressible()
                                 .build();
   const auto [find, check] = make_records(hidden, 0.003, seed);
-  DiagnosisOptions options;
-  options.effects = default_registry().make_all<Effect>();
-  return diagnose(hidden.nominal, find, check, options, RunContext{});
+  return diagnosis_of(hidden.nominal, find, check);
 }
 
 TEST(Nameless, LawsAreExplainedByNoName) {
   const std::vector<Nameless> laws = {{cart(), "v", "sin(2*x)", -3.0},
                                       {cart(), "v", "x*exp(-(x/0.3)^2)", -5.0},
                                       {basin(), "h", "abs(h)^1.5", -0.02}};
+  std::uint64_t seed = 0;
   for (const Nameless& law : laws)
-    for (const std::uint64_t seed : {1U, 2U, 3U})
-      EXPECT_NE(diagnosed(law, seed).verdict, Verdict::Explained) << law.law << ' ' << seed;
+    EXPECT_NE(diagnosed(law, ++seed).verdict, Verdict::Explained) << law.law;
 }
 
 TEST(Nameless, AWeirHasItsFormula) {

@@ -41,15 +41,6 @@ TEST(Score, RightNameInTheRightEquation) {
   EXPECT_EQ(misplaced.spurious, 1);
 }
 
-TEST(Score, AlternativesAreListedButDoNotLead) {
-  const HiddenCase hidden = case_named("oscillator-hardening");
-  const Diagnosis diagnosis =
-      answer(hidden, Verdict::Explained, {named(1, "higher-order-term", {"cubic-stiffness"})});
-  const Score found = score(hidden, diagnosis, clean_record(hidden, 1));
-  EXPECT_TRUE(found.equation && found.listed);
-  EXPECT_FALSE(found.name);
-}
-
 TEST(Score, APlainNameLeadsOnlyWithTheSpecificOneBehind) {
   const HiddenCase hidden = case_named("motor-stribeck");
   const Dataset clean = clean_record(hidden, 1);
@@ -61,17 +52,6 @@ TEST(Score, APlainNameLeadsOnlyWithTheSpecificOneBehind) {
   EXPECT_FALSE(
       score(hidden, answer(hidden, Verdict::Explained, {named(0, "coulomb-friction")}), clean)
           .name);
-}
-
-TEST(Score, EveryHiddenEffectHasToBeNamed) {
-  const HiddenCase hidden = case_named("buoy-hardening-drag");
-  const Dataset clean = clean_record(hidden, 1);
-  const auto name_right = [&](std::vector<NamedEffect> effects) {
-    return score(hidden, answer(hidden, Verdict::Explained, std::move(effects)), clean).name;
-  };
-  EXPECT_TRUE(name_right({named(1, "quadratic-drag"), named(1, "cubic-stiffness")}));
-  EXPECT_FALSE(name_right({named(1, "quadratic-drag"), named(1, "quadratic-term")}));
-  EXPECT_FALSE(name_right({named(1, "quadratic-drag")}));
 }
 
 TEST(Score, VerdictsFollowTheKind) {
@@ -86,13 +66,6 @@ TEST(Score, VerdictsFollowTheKind) {
   EXPECT_TRUE(right("stage-gusts", Verdict::PartlyExplained)) << "nobody knows what comes next";
   EXPECT_FALSE(right("stage-dry-friction", Verdict::PartlyExplained));
   EXPECT_FALSE(right("stage-cogging", Verdict::Explained));
-}
-
-TEST(Score, AnswerFitsOnALine) {
-  const HiddenCase hidden = case_named("oscillator-hardening");
-  EXPECT_EQ(in_one_line(answer(hidden, Verdict::UnnamedStructure, {})), "unnamed-structure");
-  EXPECT_EQ(in_one_line(answer(hidden, Verdict::Explained, {named(1, "delay")})),
-            "explained: v delay 0*made");
 }
 
 }  // namespace

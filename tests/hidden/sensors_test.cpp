@@ -8,8 +8,7 @@
 
 #include "hidden/support/cases.hpp"
 #include "hidden/support/records.hpp"
-#include "lacuna/cli/configuration/registry.hpp"
-#include "lacuna/diagnose/journey/diagnose.hpp"
+#include "hidden/whole_vocabulary.hpp"
 
 namespace lacuna::hidden {
 namespace {
@@ -78,9 +77,7 @@ Diagnosis diagnosed(const FaultySensor& sensor, std::uint64_t seed) {
     for (Trajectory& record : data->trajectories)
       record.states.col(hidden.nominal.state_index(sensor.state)) =
           sensor.shows(hidden.nominal, record);
-  DiagnosisOptions options;
-  options.effects = default_registry().make_all<Effect>();
-  return diagnose(hidden.nominal, find, check, options, RunContext{});
+  return diagnosis_of(hidden.nominal, find, check);
 }
 
 TEST(Sensors, FaultsAreToldAndNoEffectInTheirPlace) {

@@ -10,8 +10,7 @@
 #include "hidden/support/cases.hpp"
 #include "hidden/support/disturbance.hpp"
 #include "hidden/support/records.hpp"
-#include "lacuna/cli/configuration/registry.hpp"
-#include "lacuna/diagnose/journey/diagnose.hpp"
+#include "hidden/whole_vocabulary.hpp"
 #include "lacuna/records/binding/read_records.hpp"
 
 namespace lacuna::hidden {
@@ -105,9 +104,7 @@ Diagnosis diagnosed(const SlipRecord& slip, std::uint64_t seed) {
   auto [find, check] = make_records(hidden, 0.01, seed);
   for (Dataset* data : {&find, &check})
     for (Trajectory& record : data->trajectories) slip.deed(hidden.nominal, record);
-  DiagnosisOptions options;
-  options.effects = default_registry().make_all<Effect>();
-  return diagnose(hidden.nominal, find, check, options, RunContext{});
+  return diagnosis_of(hidden.nominal, find, check);
 }
 
 bool is_told(const SlipRecord& slip, const std::vector<Hint>& hints) {

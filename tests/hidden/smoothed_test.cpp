@@ -11,9 +11,8 @@
 #include "hidden/support/cases.hpp"
 #include "hidden/support/records.hpp"
 #include "hidden/support/score.hpp"
-#include "lacuna/cli/configuration/registry.hpp"
+#include "hidden/whole_vocabulary.hpp"
 #include "lacuna/data/derivatives/finite_differences.hpp"
-#include "lacuna/diagnose/journey/diagnose.hpp"
 #include "lacuna/records/binding/model_view.hpp"
 
 namespace lacuna::hidden {
@@ -55,9 +54,7 @@ Diagnosis of_smoothed(const std::string& name, const std::vector<double>& weight
       record = smoothed_states(std::move(record), weights, first);
     if (measured) *data = first_states(hidden.nominal, std::move(*data), *measured);
   }
-  DiagnosisOptions options;
-  options.effects = default_registry().make_all<Effect>();
-  return diagnose(hidden.nominal, find, check, options, RunContext{});
+  return diagnosis_of(hidden.nominal, find, check);
 }
 
 bool says(const Diagnosis& diagnosis, const std::string& what) {

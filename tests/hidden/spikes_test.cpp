@@ -2,11 +2,10 @@
 // A few samples that are off have no name: no effect is named for them, and they take none
 // away.
 #include "hidden/support/spikes.hpp"
+#include "hidden/whole_vocabulary.hpp"
 
 #include <gtest/gtest.h>
 
-#include "lacuna/cli/configuration/registry.hpp"
-#include "lacuna/diagnose/journey/diagnose.hpp"
 #include "lacuna/model/files/ode_text.hpp"
 
 namespace lacuna::hidden {
@@ -16,10 +15,7 @@ class Spikes : public ::testing::TestWithParam<SpikeCase> {};
 
 TEST_P(Spikes, HaveNoName) {
   const SpikeCase one = GetParam();
-  DiagnosisOptions options;
-  options.effects = default_registry().make_all<Effect>();
-  const Diagnosis found =
-      diagnose(spike_model(one.model), spike_record(one, 11), {}, options, RunContext{});
+  const Diagnosis found = diagnosis_of(spike_model(one.model), spike_record(one, 11), {});
   EXPECT_NE(found.verdict, Verdict::Explained);
   for (const NamedEffect& effect : found.effects)
     ADD_FAILURE() << to_string(found.verdict) << ": " << effect.name << " in "

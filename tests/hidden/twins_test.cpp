@@ -11,16 +11,13 @@
 
 #include "hidden/support/records.hpp"
 #include "hidden/support/score.hpp"
-#include "lacuna/cli/configuration/registry.hpp"
-#include "lacuna/diagnose/journey/diagnose.hpp"
+#include "hidden/whole_vocabulary.hpp"
 
 namespace lacuna::hidden {
 namespace {
 
 Diagnosis diagnosed(const OdeModel& nominal, const Records& records) {
-  DiagnosisOptions options;
-  options.effects = default_registry().make_all<Effect>();
-  return diagnose(nominal, records.find, records.check, options, RunContext{});
+  return diagnosis_of(nominal, records.find, records.check);
 }
 
 /// Two in which a delay of the temperature explains as much as the store that is there.

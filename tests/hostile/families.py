@@ -207,7 +207,14 @@ def limit_cases():
                                            "--set refiner=none", "--memory 16M"],
                "diagnose --model m.json r.csv": common + ["--each", "--max-effects 1", "--explain",
                                                           "--effect linear-term", "--fill-gap"],
-               "fit m.json r.csv": common + ["--profile", "--bands", "--starts 10", "--ahead 2"]}
+               "fit m.json r.csv": common + ["--profile", "--bands", "--starts 10", "--ahead 2"],
+               SYNC: ["", "--integrator rk4", "--json -", "--report p.html", "--coupling x=1"],
+               COMPARE: ["", "--integrator dopri8", "--json -"],
+               "simulate m.json --x0 1,0 --t-end 1e6 --dt 0.1": ["", "-o new", "--noise x=1"],
+               "plan m.ode --measure x=0.1 --duration 10": ["", "--runs 3", "--safe x=-9..9",
+                                                            "--data r.csv", "--json -"],
+               "bench r.csv --parts regressor=ols,stlsq": ["", "--noise 0,1 --draws 20", "--csv -",
+                                                           "--report p.html"]}
     for command, its in options.items():
         for option, limit in itertools.product(its, ["0.001", "0.02", "1"]):
             yield case("%s in %s s: %s" % (command.split()[0], limit, option),

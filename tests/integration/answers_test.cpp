@@ -93,10 +93,14 @@ class Answers : public ::testing::Test {
 };
 
 TEST_F(Answers, OfIdentify) {
-  for (const double noise : {0.0, 1e-4, 0.01, 0.1})
-    for (const double offset : {0.0, 1.0, 1e4, 1e7})
-      expect_consistent("identification",
-                        "identify " + wave("r.csv", noise, 0.0, offset) + " --degree 1");
+  for (const auto& [noise, offset] : {std::pair{0.0, 0.0},
+                                      {0.0, 1e7},
+                                      {1e-4, 1e4},
+                                      {1e-4, 1e7},
+                                      {0.01, 0.0},
+                                      {0.1, 1.0}})
+    expect_consistent("identification",
+                      "identify " + wave("r.csv", noise, 0.0, offset) + " --degree 1");
   expect_consistent("identification", "identify " + wave("r.csv", 0.01) + " --holdout " +
                                           wave("s.csv", 0.01, 1.0));
   expect_consistent("identification", "identify " + wave("r.csv", 0.01) + " --embed x=2");
@@ -112,11 +116,10 @@ TEST_F(Answers, OfFit) {
   const std::string bound = "param a = 2 in 1.5..5\ndx/dt = y\ndy/dt = -a*x\n";
   const std::string idle = "param a = 2\nparam b = 1\ndx/dt = y\ndy/dt = -a*x + 1e-15*b\n";
   const std::string product = "param a = 2\nparam b = 1\ndx/dt = y\ndy/dt = -a*b*x\n";
-  for (const std::string& text : {right, wrong, bound, idle, product}) {
+  for (const std::string& text : {right, wrong, bound, idle, product})
     expect_consistent("fit", "fit " + model(text) + " " + r + " --holdout " + s);
-    expect_consistent("fit", "fit " + model(text) + " " + r + " --holdout " + s +
-                                 " --start-samples 100000 --ahead 100000");
-  }
+  expect_consistent("fit", "fit " + model(wrong) + " " + r + " --holdout " + s +
+                               " --start-samples 100000 --ahead 100000");
 }
 
 TEST_F(Answers, OfSyncAndCompare) {
@@ -132,30 +135,34 @@ TEST_F(Answers, OfDiagnose) {
   const std::string r = wave("r.csv", 0.01), s = wave("s.csv", 0.01, 1.0);
   for (const char* text : {"dx/dt = y\ndy/dt = -x\n", "dx/dt = y\ndy/dt = -1.5*x\n",
                            "dx/dt = y\ndy/dt = -x - 0.3*y\n", "dx/dt = y\ndy/dt = -0.5*x^3\n"})
-    for (const std::string& others : {std::string(), " --holdout " + s})
-      expect_consistent("diagnosis", "diagnose --model " + model(text) + " " + r + others);
+    expect_consistent("diagnosis",
+                      "diagnose --model " + model(text) + " " + r + " --holdout " + s);
+  expect_consistent("diagnosis",
+                    "diagnose --model " + model("dx/dt = y\ndy/dt = -0.5*x^3\n") + " " + r);
   expect_consistent("diagnosis", "diagnose --model '" + kData + "pendulum.ode' '" + kData +
                                      "pendulum_scope_1.csv.gz' --map th=CH1,w=CH2,u=CH3");
 }
 
-// In other units every answer is the same, and far from 0 too.
+// In other units every answer is the same, and far from 0 too: each variant on one of three.
 TEST(Invariance, OtherUnitsGiveTheSameAnswerOrARefusal) {
   using namespace benchmarks;
   const TemporaryFolder folder;
   const auto records = small_records();
-  for (const std::size_t one : {2, 13, 28}) {
-    const SmallRecord& record = records[one];
+  const auto all = variants();
+  const std::size_t chosen[] = {2, 13, 28};
+  for (std::size_t k = 0; k < 3; ++k) {
+    const SmallRecord& record = records[chosen[k]];
     const Answer base = identified(record.data, record.degree, folder.file("r.csv"));
     ASSERT_EQ(base.status, 0) << record.name;
-    for (const Variant& variant : variants()) {
+    for (std::size_t v = k; v < all.size(); v += 3) {
       const Answer answer =
-          identified(in_units(record.data, variant), record.degree, folder.file("r.csv"));
+          identified(in_units(record.data, all[v]), record.degree, folder.file("r.csv"));
       const Outcome outcome =
-          compared(answer, base, expected_structure(*base.model, record.data, variant));
-      EXPECT_NE(outcome, Outcome::Other) << record.name << ", " << variant.name;
+          compared(answer, base, expected_structure(*base.model, record.data, all[v]));
+      EXPECT_NE(outcome, Outcome::Other) << record.name << ", " << all[v].name;
       if (answer.status == 0)
         EXPECT_THAT(support::json_faults(answer.json), IsEmpty())
-            << record.name << ", " << variant.name;
+            << record.name << ", " << all[v].name;
       else
         EXPECT_THAT(answer.error, ::testing::HasSubstr("; ")) << "it says what to do";
     }

@@ -177,56 +177,6 @@ TEST_F(FirstUsers, ALoggerWithTwoRates) {
                 {{"k", 0.4}, {"c", 0.5}, {"h", 0.2}}, 0.03);
 }
 
-TEST_F(FirstUsers, StampsOfARobot) {
-  std::string rows = "%time,field.header.frame_id,field.x,field.v\n";
-  for (int i = 0; i < 1200; ++i) {
-    const double t = 0.01 * i;
-    rows += std::to_string(1700000000123456789LL + 10000000LL * i) + ",base_link," +
-            text("%.6f", std::cos(2.0 * t)) + "," + text("%.6f", -2.0 * std::sin(2.0 * t)) + "\n";
-  }
-  const OdeModel model = identified(folder_.write("topic.csv", rows) + " --time-unit ns");
-  ASSERT_EQ(model.time_unit(), "ns");
-  EXPECT_NEAR(1e9 * model.coefficient(1, model.states()[0].name), -4.0, 0.02);
-}
-
-/// A HOBO logger: serial numbers in names, the clock with AM and PM.
-TEST_F(FirstUsers, ATemperatureLogger) {
-  std::string rows =
-      "\"Plot Title: cellar\"\n\"#\",\"Date Time, GMT+01:00\",\"Temp, \xC2\xB0"
-      "C (LGR S/N: 123456, SEN S/N: 123456)\"\n";
-  for (int i = 0; i < 240; ++i) {
-    const int minute = (11 * 60 + i) % 60, hour = 11 + i / 60;
-    char stamp[40];
-    std::snprintf(stamp, sizeof stamp, "05/12/23 %02d:%02d:00 %s", (hour - 1) % 12 + 1, minute,
-                  hour < 12 ? "AM" : "PM");
-    rows += std::to_string(i + 1) + "," + stamp + "," +
-            text("%.3f", 12.0 + 30.0 * std::exp(-i / 60.0) + 0.01 * random_.normal()) + "\n";
-  }
-  const OdeModel model = identified(folder_.write("hobo.csv", rows));
-  ASSERT_EQ(model.dimension(), 1);
-  const double per_unit = model.time_unit() == "min" ? 1.0 : 60.0;
-  EXPECT_NEAR(model.coefficient(0, model.states()[0].name) * per_unit, -1.0 / 60.0, 5e-4);
-}
-
-/// The monitor of an Arduino: a clock in front, names and values in a line.
-TEST_F(FirstUsers, LinesOfASerialMonitor) {
-  std::string rows;
-  for (int i = 0; i < 600; ++i) {
-    const double t = 0.02 * i;
-    const int milliseconds = 512 + 20 * i;
-    char stamp[40];
-    std::snprintf(stamp, sizeof stamp, "10:00:%02d.%03d -> ", milliseconds / 1000,
-                  milliseconds % 1000);
-    rows += stamp + ("x:" + text("%.5f", std::exp(-0.1 * t) * std::cos(3.0 * t))) + ",v:" +
-            text("%.5f", std::exp(-0.1 * t) *
-                             (-0.1 * std::cos(3.0 * t) - 3.0 * std::sin(3.0 * t))) +
-            "\n";
-  }
-  const OdeModel model = identified(folder_.write("monitor.txt", rows));
-  EXPECT_NEAR(model.coefficient(1, "x"), -9.01, 0.05);
-  EXPECT_NEAR(model.coefficient(1, "v"), -0.2, 0.01);
-}
-
 TEST_F(FirstUsers, AStepTestOfAMotor) {
   std::string rows = "t [s],w [rad/s],u [V]\n";
   for (int i = 0; i < 400; ++i) {

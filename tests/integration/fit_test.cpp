@@ -81,29 +81,5 @@ TEST_F(FitProgram, SaysThatAHiddenStateIsNotDetermined) {
               HasSubstr("the state z cannot be determined from what is measured"));
 }
 
-TEST_F(FitProgram, WhatDoesNotFitIsOneLine) {
-  const std::string rest = " " + data_;
-  expect_program_error("fit " + model("dx/dt = -x\ny = 2*q\n") + rest, 2,
-                       {"m.ode:2:7", "unknown name 'q'"});
-  expect_program_error("fit " + model("param k = 2 in 3..4\ndx/dt = -k*x\ny = 2*x\n") + rest, 2,
-                       {"m.ode:1:10", "its value 2 is not in its range 3..4"});
-  expect_program_error("fit " + model("dx/dt = -0.5*x\nz = 2*x\n") + rest, 2,
-                       {"run.csv", "no column for the output 'z'"});
-  expect_program_error("fit " + model("dx/dt = -0.5*x\n") + rest, 2,
-                       {"run.csv", "no column for the state 'x', nor for any other"});
-  expect_program_error("fit " + model("input F\ndx/dt = -0.5*x+F\ny = x\n") + rest, 2,
-                       {"run.csv", "no column for the input 'F'"});
-  const std::string few = folder_.write("few.csv", "t,u,y\n0,1,2\n1,2,1\n2,1,3\n3,1,2\n");
-  expect_program_error("fit " + model(kTruth) + " " + few, 2,
-                       {"6 unknowns (parameters and initial states) for 4 measured values"});
-  const std::string json =
-      folder_.write("m.json", R"({"format": "lacuna.model/1", "states": [{"name": "x"}],
-        "equations": [{"state": "x", "terms": [{"term": "k*x", "coefficient": 1}]}],
-        "parameters": [{"name": "k", "value": 5, "max": 1}],
-        "outputs": [{"name": "y", "expression": "x"}]})");
-  expect_program_error("fit " + json + rest, 2,
-                       {"m.json: $.parameters[0]", "its value 5 is not in its range ..1"});
-}
-
 }  // namespace
 }  // namespace lacuna::testing

@@ -78,26 +78,6 @@ TEST(Output, AFileThatGrowsTooLargeLeavesNothing) {
   EXPECT_EQ(folder.count(), 0);
 }
 
-TEST(Output, ReplacesNoInputAndNoOtherResult) {
-  const TemporaryFolder folder;
-  const std::string text = oscillation(300), record = folder.write("r.csv", text);
-  std::filesystem::create_symlink("r.csv", folder.file("link.csv"));
-  const auto refused = [&](const std::string& arguments, const std::string& part) {
-    expect_program_error(arguments, 2, {part, "; "});
-    EXPECT_EQ(folder.read("r.csv"), text);
-  };
-  refused("identify " + record + " --json " + record, "--json");
-  refused("identify " + record + " --model-out " + folder.file("link.csv"), "--model-out");
-  refused("identify '" + folder.file("*.csv") + "' --json " + record, "--json");
-  refused("identify " + record + " --json - --model-out -", "--model-out");
-  refused("identify " + record + " --json " + folder.file("new") + " --model-out " +
-              folder.file("./new"),
-          "--model-out");
-  refused(
-      "simulate lorenz --x0 1,1,1 --t-end 1 --dt .1 --input-data " + record + " -o " + record,
-      "--output");
-}
-
 TEST(Memory, EndsWithAnErrorWhereverItRunsOut) {
   if (run_in_shell("ulimit -v 100000", "list").status != 0)
     GTEST_SKIP() << "this build needs more memory to start";
@@ -213,29 +193,6 @@ TEST(Interrupt, EndsALongSearchAtOnce) {
           .status,
       0);
   expect_interrupted("identify " + orbit, "7");
-}
-
-TEST(Configuration, DeepNestingIsAnErrorNotACrash) {
-  const TemporaryFolder folder;
-  const std::string record = folder.write("r.csv", oscillation(300));
-  const std::string open(100000, '['), close(100000, ']');
-  const std::string config = folder.write("c.json", "{\"a\":" + open + close + "}");
-  expect_program_error("identify " + record + " --config " + config, 2, {"c.json", "nested"});
-  std::string path;
-  for (int i = 0; i < 50000; ++i) path += "a.";
-  expect_program_error("identify " + record + " --set " + path + "a=1", 2,
-                       {"--set a.a.a", "nested"});
-}
-
-TEST(Configuration, ErrorsOfTheJsonLibraryHaveAPlace) {
-  const TemporaryFolder folder;
-  const std::string record = folder.write("r.csv", oscillation(300));
-  const std::string config =
-      folder.write("c.json", "{\n \"regressor\": {\"threshold\": 1e999}}");
-  expect_program_error("identify " + record + " --config " + config, 2,
-                       {"c.json:2:29", "out of the range", "; "});
-  expect_program_error("identify " + record + " --set 'regressor.type=\xff'", 2,
-                       {"--set regressor.type=\\xff", "not UTF-8", "; "});
 }
 
 TEST(Names, OfOtherEncodingsAreRead) {

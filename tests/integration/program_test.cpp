@@ -21,17 +21,6 @@ TEST(Program, IdentifiesSavesSimulatesAndSynchronises) {
   EXPECT_EQ(run_program("simulate " + model + " --x0 1,1,20 --t-end 1 --dt 0.1").status, 0);
 }
 
-TEST(Program, IdentifiesTheShippedRecord) {
-  const std::string record = std::string(LACUNA_SOURCE_DIR) + "/data/tl072_record.csv.gz";
-  if (!std::filesystem::exists(record)) GTEST_SKIP() << "the record is not there";
-  const CommandResult result = run_program("identify " + record + " --json -");
-  ASSERT_EQ(result.status, 0) << result.err;
-  const auto json = nlohmann::json::parse(result.out);
-  EXPECT_LT(json["sync"]["relative"].get<double>(), 0.01);
-  EXPECT_EQ(json["model"]["time_unit"], "tau");
-  EXPECT_NEAR(json["noise"]["x"].get<double>(), 1e-3, 2e-4);
-}
-
 /// On a terminal of its own, which `script` makes. @param typed what the person types.
 std::string on_a_terminal(const std::string& arguments, const std::string& typed) {
   const TemporaryFolder folder;
@@ -68,25 +57,6 @@ TEST(Program, ATerminalIsAskedWhatColumnsAre) {
   EXPECT_EQ(model.time_unit(), "ms");
   EXPECT_EQ(model.states()[0].unit, "V");
   ASSERT_EQ(model.inputs().size(), 1u);
-}
-
-TEST(Program, SameInputSameBytes) {
-  const TemporaryFolder folder;
-  const std::string orbit = folder.file("o.csv");
-  run_program("simulate rossler --x0 1,1,0 --t-end 100 --dt 0.05 -o " + orbit);
-  const std::string once = run_program("identify " + orbit + " --json -").out;
-  EXPECT_EQ(run_program("identify " + orbit + " --json - --threads 2").out, once);
-}
-
-TEST(Program, AnInterruptIsStatus130AndLeavesNoFile) {
-  const TemporaryFolder folder;
-  const std::string orbit = folder.file("o.csv");
-  const CommandResult result = run_program(
-      "simulate lorenz --x0 1,1,20 --t-end 300000 --dt 0.01 --integrator dopri87 -o " + orbit,
-      "timeout --preserve-status -s INT 0.3");
-  EXPECT_EQ(result.status, 130) << result.err;
-  EXPECT_THAT(result.err, ::testing::HasSubstr("interrupted"));
-  EXPECT_EQ(folder.count(), 0);
 }
 
 TEST(Program, IdentifiesAStateThatNobodyMeasured) {

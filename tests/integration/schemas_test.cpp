@@ -58,13 +58,6 @@ class Schemas : public ::testing::Test {
   TemporaryFolder folder_;
 };
 
-TEST_F(Schemas, DescribeDiagnoses) {
-  const std::string model = "diagnose --model " + path("m.ode") + " ";
-  expect_conforms("diagnosis", model + path("free.csv"));
-  expect_conforms("diagnosis", model + path("rough.csv"));
-  EXPECT_THAT(folder_.read("out.json"), ::testing::HasSubstr("coulomb-friction"));
-}
-
 TEST_F(Schemas, DescribePlans) {
   const std::string quick = " --candidates 4 --searches 2 --evaluations 10 ";
   expect_conforms("plan", "plan " + path("m.ode") + " --data " + path("free.csv") +
@@ -81,20 +74,7 @@ TEST_F(Schemas, DescribeFleets) {
                                path("none.csv"));
 }
 
-TEST_F(Schemas, DescribeIdentifications) {
-  expect_conforms("identification",
-                  "identify " + path("free.csv") + " --inputs u --add 'sin(th)'");
-  expect_conforms("identification", "identify '" LACUNA_SOURCE_DIR "/data/tl072_record.csv.gz'");
-}
-
-TEST_F(Schemas, DescribeFitsSynchronisationsComparisonsAndChecks) {
-  folder_.write("fit.ode",
-                "input u\nparam g = 8 in 1..20\nparam b = 0.1\n"
-                "dth/dt = w\ndw/dt = -g*sin(th) - b*w + u\ninitial w = 0 fixed\n");
-  expect_conforms("fit", "fit " + path("fit.ode") + " " + path("free.csv") + " --holdout " +
-                             path("rough.csv"));
-  expect_conforms("sync", "sync " + path("m.ode") + " " + path("free.csv"));
-  expect_conforms("comparison", "compare " + path("free.csv") + " " + path("free.csv"));
+TEST_F(Schemas, DescribeChecks) {
   expect_conforms("check", "check " + path("free.csv") + " --model " + path("m.ode"));
 }
 

@@ -300,7 +300,6 @@ class Reader {
 
   void add_members(const std::vector<std::string>& names, std::size_t at, const Scope& scope) {
     ClassText& type = found_.classes[scope.place];
-    type.mutable_members += static_cast<int>(names.size());
     if (!scope.is_public) return;
     for (const std::string& name : names) type.members.push_back({name, line_at(at)});
   }

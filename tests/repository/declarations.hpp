@@ -39,7 +39,6 @@ struct ClassText {
   bool is_public = true;                 ///< not below "private:" or "protected:"
   bool is_template = false;              ///< or in a class template
   std::vector<MemberText> members = {};  ///< those that are public
-  int mutable_members = 0;  ///< data that is neither static nor const nor a reference
 };
 
 /// What a source declares, in its order.

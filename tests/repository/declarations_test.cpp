@@ -22,12 +22,6 @@ FunctionText only_function(const std::string& code) {
   return found.functions.empty() ? FunctionText{} : found.functions.front();
 }
 
-int members_of(const std::string& code) {
-  const Declarations found = read(code);
-  EXPECT_EQ(found.classes.size(), 1u) << code;
-  return found.classes.empty() ? -1 : found.classes.front().mutable_members;
-}
-
 TEST(Declarations, FunctionGoesFromItsTypeToItsLastBrace) {
   const FunctionText function = only_function(R"(
 namespace a {
@@ -53,32 +47,6 @@ TEST(Declarations, BracesInCommentsAndLiteralsDoNotCount) {
       "int f() {  // {\n  /* { */ g(\"{\\\"{\", '{', R\"x({)\")x\", 1'000);\n}\n");
   EXPECT_EQ(function.first, 3u);
   EXPECT_EQ(function.last, 5u);
-}
-
-TEST(Declarations, LocalClassesAndLambdasBelongToTheirFunction) {
-  const Declarations found =
-      read("void f() {\n  struct A { int x; void g() {} };\n  auto h = [](int a) { };\n}\n");
-  EXPECT_EQ(found.functions.size(), 1u);
-  EXPECT_TRUE(found.classes.empty());
-}
-
-TEST(Declarations, ParametersAreCountedThroughBrackets) {
-  EXPECT_EQ(only_function("void f();").parameters, 0);
-  EXPECT_EQ(only_function("void f(std::map<int, int> a, int b = g(1, 2));").parameters, 2);
-  EXPECT_EQ(only_function("void f(std::function<void(int, int)> a, B b = {1, 2});").parameters,
-            2);
-  EXPECT_EQ(only_function("decltype(auto) f(int a, int (*b)(int, int), int c);").parameters, 3);
-  EXPECT_EQ(only_function("std::function<int(int, int)> f(int a) noexcept(true);").parameters,
-            1);
-  EXPECT_EQ(only_function("template <class A, class B = C<A>>\nA f(A a, B b);").parameters, 2);
-}
-
-TEST(Declarations, OperatorsHaveNamesToo) {
-  EXPECT_EQ(only_function("bool operator<(const A& a, const A& b);").parameters, 2);
-  EXPECT_EQ(only_function("struct A { void operator()(int, int) const {} };").parameters, 2);
-  EXPECT_EQ(only_function("struct A { A& operator=(const A&) = default; };").parameters, 1);
-  EXPECT_EQ(only_function("struct A { bool operator==(const A& a) const; };").name,
-            "operator==");
 }
 
 TEST(Declarations, FunctionsKnowTheirClassAndTheirAccess) {
@@ -109,27 +77,6 @@ void Outer<Size>::Inner::run(int a) {
   EXPECT_EQ(found.functions[4].name, "run");
   ASSERT_EQ(found.classes.size(), 2u);
   EXPECT_EQ(found.classes[0].name, "A");
-  EXPECT_EQ(found.classes[0].mutable_members, 2);
-}
-
-TEST(Declarations, ConstructorWithManyInitialisersIsOneFunction) {
-  const FunctionText function = only_function(
-      "struct A {\n  A(int x, int y)\n      : a_{x},\n        b_{y, y},\n        c_(y) {\n"
-      "    go();\n  }\n};\n");
-  EXPECT_EQ(function.first, 2u);
-  EXPECT_EQ(function.last, 7u);
-}
-
-TEST(Declarations, ParametersHaveTypesAsTheyAreWritten) {
-  const auto types = [](const std::string& code) { return only_function(code).types; };
-  using Types = std::vector<std::string>;
-  EXPECT_EQ(types("void f();"), Types{});
-  EXPECT_EQ(types("void f(const Matrix& a, std::span<const double> b = {}, Index = 1 << 2);"),
-            (Types{"const Matrix&", "std::span<const double>", "Index"}));
-  EXPECT_EQ(types("void f(std::map<int, int> a, const std::function<void(int, int)>&);"),
-            (Types{"std::map<int, int>", "const std::function<void(int, int)>&"}));
-  EXPECT_EQ(types("void f(const std::vector<Index>&\n     numbers, double* out);"),
-            (Types{"const std::vector<Index>&", "double*"}));
 }
 
 TEST(Declarations, FunctionsSayWhatTheyAre) {
@@ -152,20 +99,6 @@ class B { struct C { int d; void i(); }; int e; public: int f, g; };
   ASSERT_EQ(found.classes[1].members.size(), 2u);
   EXPECT_EQ(found.classes[1].members[1].name, "g");
   EXPECT_EQ(found.classes[1].members[1].line, 5u);
-}
-
-TEST(Declarations, OnlyMembersThatCanChangeCount) {
-  EXPECT_EQ(members_of("struct A { int a; const int b = 1; int& c; const int& d; };"), 1);
-  EXPECT_EQ(members_of("struct A { const int* a; static int b; mutable int c = f(1); };"), 2);
-  EXPECT_EQ(members_of("struct A { std::map<int, int> a, b{1, 2}; int c[2], d = 1, e; };"), 5);
-  EXPECT_EQ(members_of("struct A { std::function<void(int)> a; void b(); using C = D; };"), 1);
-  EXPECT_EQ(members_of("struct A { friend struct B; enum class C { d, e }; C f; };"), 1);
-}
-
-TEST(Declarations, VariablesAreNoFunctions) {
-  EXPECT_TRUE(read("const int a = f(1);\nstd::vector<int> b{1, 2};\n").functions.empty());
-  EXPECT_TRUE(read("const auto f = [](int a) {\n  return a;\n};\n").functions.empty());
-  EXPECT_TRUE(read("enum class A { b, c };\nusing F = void(int, int);\n").functions.empty());
 }
 
 TEST(Declarations, ABracketThatIsNotClosedIsAnError) {

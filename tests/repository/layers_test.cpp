@@ -59,16 +59,6 @@ std::string included_header(const std::string& line) {
              : "";
 }
 
-TEST(LayerReader, FindsInstalledAndPrivateHeaders) {
-  EXPECT_EQ(included_header("#include \"lacuna/regression/linear/factor.hpp\""),
-            "regression/linear/factor");
-  EXPECT_EQ(included_header("#include \"model/expressions/operations.hpp\"  // why"),
-            "model/expressions/operations");
-  EXPECT_EQ(included_header("#include \"operations.hpp\""), "");
-  EXPECT_EQ(included_header("#include <nlohmann/json.hpp>"), "");
-  EXPECT_EQ(included_header("  const auto x = \"lacuna/regression/linear/factor.hpp\";"), "");
-}
-
 const std::vector<std::string> kFolders = {"include", "src", "bases", "solvers", "effects"};
 
 TEST(Layers, IncludesPointDownwards) {
@@ -122,12 +112,6 @@ std::set<std::pair<std::string, std::string>> circles_in(
         circles.emplace(folder, other);
     }
   return circles;
-}
-
-TEST(Circles, OfTwoFoldersAreFound) {
-  EXPECT_TRUE(circles_in({{"a", {"b"}}, {"b", {"c"}}}).empty());
-  EXPECT_EQ(circles_in({{"a", {"b", "c"}}, {"b", {"a"}}, {"c", {"b"}}}),
-            (std::set<std::pair<std::string, std::string>>{{"a", "b"}}));
 }
 
 TEST(Circles, NoTwoFoldersIncludeEachOther) {

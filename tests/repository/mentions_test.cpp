@@ -44,18 +44,6 @@ TEST(Mentions, WhatIsMadeUpIsNot) {
     EXPECT_FALSE(is_known(span)) << span;
 }
 
-TEST(Mentions, CommentsAreNoCode) {
-  EXPECT_EQ(without_comment("int a;  // kNone", "//"), "int a;  ");
-  EXPECT_EQ(without_comment(R"(f("// kept");)", "//"), R"(f("// kept");)");
-  EXPECT_EQ(without_comment("see http://here", "//"), "see http://here");
-  EXPECT_EQ(without_comment("a = 1  # kNone", "#"), "a = 1  ");
-}
-
-TEST(Mentions, FormulasAndCommandsHaveNoNames) {
-  for (const std::string span : {"x*cos(x)", "-9.81", "a, b", "0.5 mV"})
-    EXPECT_TRUE(names_in(span).empty()) << span;
-}
-
 /// Pages, and where exceptions of each are looked up by its path.
 std::vector<SourceFile> mentioning_pages() {
   auto pages = pages_below("docs");

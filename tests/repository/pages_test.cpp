@@ -53,14 +53,6 @@ TEST(Pages, HaveAtMost250WordsUnderAHeading) {
       EXPECT_LE(words, kWordsUnderAHeading) << page.path << ": " << heading;
 }
 
-TEST(Pages, WordsAreCountedWithoutCodeAndUnderTheirHeading) {
-  const std::vector<std::string> lines = {
-      "# A title", "two words - |---|", "    no word here", "```sh", "nor here",
-      "```",       "## Second part",    "| one | `word` |"};
-  const std::map<std::string, int> expected = {{"# A title", 4}, {"## Second part", 4}};
-  EXPECT_EQ(words_under_headings(lines), expected);
-}
-
 TEST(Pages, StandInFoldersOfAtMost12BesideAnIndexOfTheSameName) {
   std::map<std::filesystem::path, int> folders;
   for (const SourceFile& page : pages_below("docs")) ++folders[page.path.parent_path()];

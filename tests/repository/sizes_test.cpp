@@ -20,15 +20,6 @@ TEST(Sizes, NoFileIsOver450Lines) {
     EXPECT_LE(file.lines.size(), 450u) << file.path;
 }
 
-TEST(Sizes, MedianFileIsAtMost120Lines) {
-  std::vector<std::size_t> sizes;
-  for (const SourceFile& file : sources_below(kOwnCode)) sizes.push_back(file.lines.size());
-  ASSERT_FALSE(sizes.empty());
-  std::nth_element(sizes.begin(), sizes.begin() + static_cast<long>(sizes.size() / 2),
-                   sizes.end());
-  EXPECT_LE(sizes[sizes.size() / 2], 120u);
-}
-
 TEST(Sizes, LinesHaveAtMost100Columns) {
   ASSERT_FALSE(sources_below(kOwnCode).empty());
   for (const SourceFile& file : sources_below(kOwnCode))

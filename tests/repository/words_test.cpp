@@ -60,15 +60,6 @@ TEST(Words, AreThoseOfTheField) {
   }
 }
 
-TEST(Words, OfNamesAreThoseBetweenUnderscoresAndCapitals) {
-  std::vector<std::string> texts;
-  for (const Word& word : words_of({"kMostNumbers_ squares_left(RMSError);"}))
-    texts.push_back(word.text);
-  const std::vector<std::string> expected = {"k", "most", "numbers", "squares", "left",
-                                             "(", "rms",  "error",   ")",       ";"};
-  EXPECT_EQ(texts, expected);
-}
-
 bool is_found(const std::string& rule, const std::vector<std::string>& lines) {
   const auto words = words_of(lines);
   for (std::size_t at = 0; at < words.size(); ++at)
@@ -82,18 +73,6 @@ TEST(Words, PhrasesGoOnInTheNextLineAndEndAtSigns) {
   EXPECT_TRUE(is_found(rule, {R"("what is ")", R"("left")"}));
   EXPECT_FALSE(is_found(rule, {"what is, left"}));
   EXPECT_FALSE(is_found(rule, {"what is right"}));
-}
-
-TEST(Words, MayBeMeantInNamesOnly) {
-  const std::string rule = "name: share|shares -> fraction";
-  EXPECT_TRUE(is_found(rule, {"wrong_share"}));
-  EXPECT_FALSE(is_found(rule, {"bodies share what they have"}));
-}
-
-TEST(Words, CodeInPagesIsNotRead) {
-  const SourceFile page{"docs/a.md", {"`told` and", "    told", "```", "told", "```", "shown"}};
-  EXPECT_FALSE(is_found("told -> shown", readable_lines(page)));
-  EXPECT_TRUE(is_found("shown -> told", readable_lines(page)));
 }
 
 }  // namespace

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <set>
 
-#include "hidden/support/benches.hpp"
+#include "benches.hpp"
 #include "hidden/support/cases.hpp"
 #include "hidden/support/null_benches.hpp"
 #include "hidden/support/ordinary.hpp"

@@ -10,6 +10,7 @@ numbers each a few miss by chance.
 """
 
 import dataclasses
+import itertools
 
 import numpy as np
 
@@ -122,7 +123,7 @@ def tanks(task, rng):
 
         def rates(x, u):
             flows = [k * u] + [c * root(level) for c, level in zip(holes, x)]
-            return tuple(into - out for into, out in zip(flows, flows[1:]))
+            return tuple(into - out for into, out in itertools.pairwise(flows))
 
         start = tuple(rng.uniform(0.5, 1.5) for _ in names)
     states = run(rates, start, count, step, [(u, 0.0)])

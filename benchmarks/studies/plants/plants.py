@@ -72,6 +72,7 @@ class Plant:
     lattice: dict  # channel -> step
     asymmetry: float
     push: object  # what nobody models, as a function of the record's number
+    ripple: tuple = ()  # strength, pitch, phase
 
 
 @dataclasses.dataclass
@@ -87,15 +88,20 @@ def asymmetric(u, part):
     return u * (1 + part) if u > 0 else u
 
 
-def ripple_of(shape, numbers, rng):
+def ripple_of(numbers, rng):
     strength = rng.uniform(0.03, 0.06) * numbers.force
     pitch, phase = numbers.motion / rng.uniform(12, 20), rng.uniform(0, 6.28)
+    return strength, pitch, phase
+
+
+def push_of(ripple):
+    strength, pitch, phase = ripple
     return lambda record: lambda t, x: strength * np.sin(2 * np.pi * x[0] / pitch + phase)
 
 
-def ambient_of(shape, numbers, rng, duration):
-    """A surrounding that wanders by about 5 % of the motion, differently in each record."""
-    size = rng.uniform(0.04, 0.06) * numbers.motion * numbers.exchange
+def ambient_of(numbers, rng, duration):
+    """A surrounding that wanders by up to 5 % of the motion, differently in each record."""
+    size = rng.uniform(0.04, 0.06) * numbers.motion * numbers.exchange / 3
     waves = [(rng.uniform(0.4, 1.5), rng.uniform(0, 6.28, 2)) for _ in range(3)]
 
     def of_record(record):
@@ -114,11 +120,12 @@ def plant_of(case):
     shape = SHAPES[case.shape]
     numbers = shape.draw(rng)
     count = {"single": 500, "cycles": 480}.get(case.drive, int(rng.integers(900, 1500)))
-    push = None
+    push, ripple = None, ()
     if case.disturbed == "ripple":
-        push = ripple_of(shape, numbers, rng)
+        ripple = ripple_of(numbers, rng)
+        push = push_of(ripple)
     if case.disturbed == "ambient":
-        push = ambient_of(shape, numbers, rng, count * numbers.step)
+        push = ambient_of(numbers, rng, count * numbers.step)
     return Plant(
         case=case,
         shape=shape,
@@ -129,6 +136,7 @@ def plant_of(case):
         lattice=numbers.lattice,
         asymmetry=0.15 if case.disturbed == "asymmetry" else 0.0,
         push=push,
+        ripple=ripple,
     )
 
 

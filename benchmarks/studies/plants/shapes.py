@@ -250,9 +250,7 @@ def of_channel(name, order, terms, inputs, draw):
 
 SHAPES = {
     "first_order": of_channel("T", 1, ("T", "u", "1"), ("u",), draw_first_order),
-    "first_order_lag": of_channel(
-        "T", 2, ("T", "T_d1", "u", "1"), ("u",), draw_first_order_lag
-    ),
+    "first_order_lag": of_channel("T", 2, ("T", "T_d1", "u", "1"), ("u",), draw_first_order_lag),
     "second_order": of_channel("x", 2, ("x", "x_d1", "u"), ("u",), draw_second_order),
     "integrator": of_channel("h", 1, ("u",), ("u",), draw_integrator),
     "integrator_leak": of_channel("h", 1, ("u", "1"), ("u",), draw_integrator_leak),

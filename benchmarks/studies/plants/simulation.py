@@ -51,10 +51,11 @@ def runge_kutta(rates, x, h):
     )
 
 
-def advance(rates, friction, x, h):
-    """One step; friction (or None) slows the second state, a speed, and may hold it at 0."""
-    if friction is None:
-        return runge_kutta(rates, x, h)
+def slide(rates, friction, x, h):
+    """One step against friction, which holds the second state, a speed, at 0 if it can.
+
+    Also gives the direction of the motion, 0 where it is held.
+    """
     pull = rates(0.0, x)[1]
     starts = np.sign(pull) * (abs(pull) > friction)
     direction = np.where(x[1] != 0, np.sign(x[1]), starts)
@@ -65,8 +66,22 @@ def advance(rates, friction, x, h):
 
     new = runge_kutta(slowed, x, h)
     held = direction == 0
-    speed = np.where(held | (new[1] * direction < 0), 0.0, new[1])
-    return (np.where(held, x[0], new[0]), speed, *new[2:])
+    return (np.where(held, x[0], new[0]), np.where(held, 0.0, new[1]), *new[2:]), direction
+
+
+def advance(rates, friction, x, h):
+    """One step; with friction (None: without) it ends where the speed does, and goes on there."""
+    if friction is None:
+        return runge_kutta(rates, x, h)
+    new, direction = slide(rates, friction, x, h)
+    turns = new[1] * direction < 0
+    if not np.any(turns):
+        return new
+    part = np.where(turns, x[1] / np.where(turns, x[1] - new[1], 1.0), 1.0)
+    stop, _ = slide(rates, friction, x, part * h)
+    stop = (stop[0], np.where(turns, 0.0, stop[1]), *stop[2:])
+    after, _ = slide(rates, friction, stop, (1 - part) * h)
+    return tuple(np.where(turns, late, early) for late, early in zip(after, new))
 
 
 class Held:

@@ -117,7 +117,8 @@ struct SyncRequest {
 
 struct SyncAnswer {
   SyncReport report;
-  Dataset data;
+  Dataset data;           ///< that of the model
+  std::string read = {};  ///< what was read, in a line
 };
 
 /// @throws ConfigError for a coupling that is none, and as read_records() and synchronise().

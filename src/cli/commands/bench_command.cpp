@@ -180,10 +180,11 @@ struct Subject {
   std::optional<OdeModel> truth = {};
 };
 
-Subject simulated(const TestSystem& system, const BenchRequest& options) {
+Subject simulated(const TestSystem& system, const BenchRequest& options,
+                  const RunContext& context) {
   const double step = options.data.step.value_or(system.step);
   const Vector times = sample_times(0.0, step, options.samples);
-  const Solution orbit = simulate(system.model, Dopri87{}, system.start, times);
+  const Solution orbit = simulate(system.model, Dopri87{}, system.start, times, context);
   Dataset data;
   data.states = system.model.states();
   data.trajectories.push_back(
@@ -191,7 +192,7 @@ Subject simulated(const TestSystem& system, const BenchRequest& options) {
   return {system.name, std::move(data), system.model};
 }
 
-Subject subject_of(const BenchRequest& options) {
+Subject subject_of(const BenchRequest& options, const RunContext& context) {
   const std::vector<std::string>& paths = options.data.paths;
   if (!options.data.tables.empty()) return {options.data.name(), read_data(options.data)};
   const auto& systems = test_systems();
@@ -199,7 +200,7 @@ Subject subject_of(const BenchRequest& options) {
     return one.name == paths.front();
   });
   if (paths.size() == 1 && system != systems.end() && !std::filesystem::exists(paths.front()))
-    return simulated(*system, options);
+    return simulated(*system, options, context);
   Dataset data = read_data(options.data);
   return {std::filesystem::path(paths.front()).filename().string(), std::move(data)};
 }
@@ -214,7 +215,7 @@ int bench_command(const Session& session, const BenchArguments& options) {
                [&] { return bench_page(found.result, found.subject); });
   if (options.csv != "-" && options.report.page != "-") show(session, text_of(found));
   const std::string failure = found.failure();
-  if (failure.empty()) return 0;
+  if (failure.empty()) return status_of(session, admission_of(found.result));
   session.streams.err << "lacuna: error: " << printable(failure) << "\n";
   return 1;
 }
@@ -224,7 +225,11 @@ int bench_command(const Session& session, const BenchArguments& options) {
 std::string BenchAnswer::failure() const {
   const bool any = std::any_of(result.cells.begin(), result.cells.end(),
                                [](const BenchCell& cell) { return !cell.scores.empty(); });
-  return any ? "" : "no composition gave a model: " + result.cells.front().failures.front();
+  if (any) return "";
+  std::string failure = "no composition gave a model";
+  for (const BenchCell& cell : result.cells)
+    if (!cell.failures.empty()) return failure + ": " + cell.failures.front();
+  return failure;
 }
 
 BenchAnswer answer(const Registry& registry, const BenchRequest& request,
@@ -234,7 +239,7 @@ BenchAnswer answer(const Registry& registry, const BenchRequest& request,
                  .noise = noise_levels(request.noise),
                  .draws = request.draws};
   for (const Alternatives& one : alternatives) task.kinds.push_back(one.kind);
-  Subject subject = subject_of(request);
+  Subject subject = subject_of(request, context);
   task.data = std::move(subject.data);
   task.truth = std::move(subject.truth);
   return {bench(task, context), subject.name, asks_for_refiner(request)};
@@ -282,6 +287,7 @@ Command declare_bench() {
   declare_report_options(command, options->report);
   declare_column_options(command, options->data, true);
   declare_run_options(command, options->run);
+  declare_time_limit(command, options->run);
   command.run = [options](const Session& session) { return bench_command(session, *options); };
   return command;
 }

@@ -22,7 +22,7 @@
 namespace lacuna {
 namespace {
 
-constexpr int kBadInput = 2;
+constexpr int kNoAnswer = 1, kBadInput = 2;
 
 /// After an interrupt a run has so long to end by itself. With 20 ms between two looks at it,
 /// and the time to give gigabytes back, the program is gone within 0.2 s.
@@ -101,6 +101,11 @@ int run_chosen(const cli::Asked& asked, const cli::Session& session) {
     cli::keep_freed_memory();
     cli::check_outputs(cli::files_read_by(asked.given), cli::outputs_of(asked.given));
     return asked.command->run(session);
+  } catch (const OutOfTime&) {
+    streams.err << "lacuna: error: " << one_line(place_of(asked))
+                << ": incomplete: the time limit came before anything was known; nothing was "
+                   "written; give it more time (--time-limit)\n";
+    return kNoAnswer;
   } catch (const Cancelled&) {
     return interrupted();
   } catch (const ArgumentError& error) {  // its place is a function, which users do not know

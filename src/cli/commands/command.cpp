@@ -126,15 +126,19 @@ const std::map<std::string, Thoroughness>& efforts() {
   return kEfforts;
 }
 
-void declare_effort_options(Command& command, RunOptions& options) {
-  command.add("--effort quick|normal|full", word_of(efforts(), options.effort),
-              "quick: only what an answer needs; normal: all stages, as far as something "
-              "can be gained; full: all to their end [default: normal]");
+void declare_time_limit(Command& command, RunOptions& options) {
   command
       .add("--time-limit S", &options.time_limit,
            "Seconds after which the run ends with the answer that it has by then and names "
            "the stages left out")
       .check({check_time_limit, "0.001 to 1e9"});
+}
+
+void declare_effort_options(Command& command, RunOptions& options) {
+  command.add("--effort quick|normal|full", word_of(efforts(), options.effort),
+              "quick: only what an answer needs; normal: all stages, as far as something "
+              "can be gained; full: all to their end [default: normal]");
+  declare_time_limit(command, options);
 }
 
 RunContext make_context(const Session& session, const RunOptions& options) {
@@ -159,6 +163,13 @@ bool is_watched(const Session& session, const RunOptions& options) {
 void finish_progress(const Session& session, const RunOptions& options) {
   if (is_watched(session, options))
     session.streams.err << "\r\x1b[K" << std::flush;
+}
+
+int status_of(const Session& session, const Admission& admission) {
+  if (admission.stands()) return 0;
+  session.streams.err << "lacuna: error: no verdict: " << admission.why << "; "
+                      << admission.remedy << "\n";
+  return 1;
 }
 
 void write_output(const Session& session, const std::string& path, const std::string& text) {

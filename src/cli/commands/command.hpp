@@ -12,6 +12,7 @@
 
 #include "cli/parsing/options.hpp"
 #include "lacuna/cli/commands/cli.hpp"
+#include "lacuna/core/base/admission.hpp"
 #include "lacuna/core/base/run_context.hpp"
 #include "lacuna/core/base/stages_done.hpp"
 #include "lacuna/model/equations/system_model.hpp"
@@ -59,7 +60,7 @@ struct RunOptions {
   std::uint64_t seed = 1;
   int threads = 1;
   std::uint64_t max_memory = 0;  ///< bytes
-  std::optional<double> time_limit;  ///< seconds, of commands that can end early
+  std::optional<double> time_limit;  ///< seconds
   Thoroughness effort = Thoroughness::Normal;
   std::string progress = "auto";
 };
@@ -68,6 +69,10 @@ void declare_run_options(Command& command, RunOptions& options);
 
 /// Efforts by the names that users give them.
 const std::map<std::string, Thoroughness>& efforts();
+
+/// The option --time-limit: at the limit the command ends, with what it has by then or, where
+/// that is nothing (OutOfTime), with an error.
+void declare_time_limit(Command& command, RunOptions& options);
 
 /// Options of a command that can give an answer with some of its stages left out.
 void declare_effort_options(Command& command, RunOptions& options);
@@ -83,6 +88,10 @@ bool is_watched(const Session& session, const RunOptions& options);
 
 /// Ends the line that progress was shown on.
 void finish_progress(const Session& session, const RunOptions& options);
+
+/// The exit status of a command with a verdict: where none may be given, a line on standard error
+/// says why.
+int status_of(const Session& session, const Admission& admission);
 
 /// Writes text to a file, whole or not at all, or to standard output for "-".
 void write_output(const Session& session, const std::string& path, const std::string& text);

@@ -56,11 +56,12 @@ CompareAnswer compare_model(const Registry& registry, const CompareRequest& opti
   Dataset simulated = data;
   simulated.trajectories = {longest_record(data)};
   simulated.trajectories[0].states = std::move(orbit.states);
-  return {{options.model.path, options.data.name(), compare_attractors(simulated, data),
-           data.notes}};
+  return {{options.model.path, options.data.name(),
+           compare_attractors(simulated, data, context), data.notes}};
 }
 
-CompareAnswer compare_records(const CompareRequest& options, const RecordSources& one) {
+CompareAnswer compare_records(const CompareRequest& options, const RecordSources& one,
+                              const RunContext& context) {
   const std::size_t others = std::max(options.data.paths.size(), options.data.tables.size());
   if (others != 1)
     throw ConfigError("compare", "two records are compared, not " + std::to_string(others + 1),
@@ -70,7 +71,8 @@ CompareAnswer compare_records(const CompareRequest& options, const RecordSources
   const Dataset a = read_data(first), b = in_units_of(a.states, read_data(options.data));
   std::vector<std::string> notes = a.notes;
   notes.insert(notes.end(), b.notes.begin(), b.notes.end());
-  return {{first.name(), options.data.name(), compare_attractors(a, b), std::move(notes)}};
+  return {
+      {first.name(), options.data.name(), compare_attractors(a, b, context), std::move(notes)}};
 }
 
 int compare_command(const Session& session, const CompareArguments& options) {
@@ -84,18 +86,18 @@ int compare_command(const Session& session, const CompareArguments& options) {
   finish_progress(session, options.run);
   if (options.json) write_output(session, *options.json, format_json(found.report));
   if (options.json != "-") show(session, format_text(found.report));
-  return 0;
+  return status_of(session, found.report.admission());
 }
 
 }  // namespace
 
 CompareAnswer answer(const Registry& registry, const CompareRequest& request,
                      const RunContext& context) {
-  if (!request.first.empty()) return compare_records(request, request.first);
+  if (!request.first.empty()) return compare_records(request, request.first, context);
   if (request.model.given || is_model(request.model.path))
     return compare_model(registry, request, context);
   registry.make<Integrator>(request.integrator);  // a name that is none is said
-  return compare_records(request, {.paths = {request.model.path}});
+  return compare_records(request, {.paths = {request.model.path}}, context);
 }
 
 Command declare_compare() {
@@ -111,6 +113,7 @@ Command declare_compare() {
   command.add("--json FILE|-", &options->json,
               "Write the result as JSON; - for standard output");
   declare_run_options(command, options->run);
+  declare_time_limit(command, options->run);
   command.run = [options](const Session& session) {
     return compare_command(session, *options);
   };

@@ -224,10 +224,7 @@ int diagnose_command(const Session& session, const DiagnoseArguments& options) {
     show(session, text_of(found));
     if (options.explain) show(session, "\n" + explanation_of(found, options.digits));
   }
-  if (diagnosis.admission.stands()) return 0;
-  session.streams.err << "lacuna: error: no verdict: " << diagnosis.admission.why
-                      << "; " << diagnosis.admission.remedy << "\n";
-  return 1;
+  return status_of(session, diagnosis.admission);
 }
 
 void declare_search_options(Command& command, DiagnoseArguments& options) {

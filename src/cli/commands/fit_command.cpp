@@ -219,8 +219,8 @@ Command declare_fit() {
       .add("--starts", &options->fit.starts,
            "Starts anywhere in the ranges of parameters, at most, wherever the first fit "
            "ends [default: " +
-               std::to_string(kRangeStarts) + ", with many samples " +
-               std::to_string(kRangeStartsOfMany) +
+               std::to_string(options->fit.range_starts) + ", with many samples " +
+               std::to_string(options->fit.range_starts_of_many) +
                ", where a range is wide and residuals are above the noise]")
       .check(from_to(0, 10000));
   command.add("--profile", &options->fit.profile,

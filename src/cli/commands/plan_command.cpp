@@ -32,6 +32,8 @@ int plan_command(const Session& session, const PlanArguments& options) {
   if (options.json) write_output(session, *options.json, format_json(report));
   write_report(session, options.report, [&] { return plan_page(report); });
   if (!writes_to_output(options)) show(session, format_text(report));
+  if (const Admission cut = admission_of(report.plan); !cut.stands())
+    return status_of(session, cut);
   return report.plan.is_feasible ? 0 : 1;
 }
 
@@ -165,6 +167,7 @@ Command declare_plan() {
   declare_outputs(command, *options);
   declare_report_options(command, options->report);
   declare_run_options(command, options->run);
+  declare_time_limit(command, options->run);
   command.run = [options](const Session& session) { return plan_command(session, *options); };
   return command;
 }

@@ -48,6 +48,7 @@ struct FittedModel {
   Dataset data;
 };
 
+/// @throws OutOfTime where a deadline cuts the fit: a plan for its numbers is none.
 FittedModel fitted(const SystemModel& system, const PlanRequest& request,
                    const RunContext& context) {
   const OdeModel given = with_holds(system.model(), request.data);
@@ -59,7 +60,9 @@ FittedModel fitted(const SystemModel& system, const PlanRequest& request,
   for (const Quantity& input : system.symbolic().inputs()) holds.push_back(input.hold);
   for (std::size_t i = 0; i < shown.inputs().size(); ++i) holds[i] = shown.inputs()[i].hold;
   const SystemModel held{system.symbolic().with_holds(holds), system.parameters()};
-  return {fit(held, data, {}, {}, context), std::move(data)};
+  Fit found = fit(held, data, {}, {}, context);
+  if (!left_out_line(found.stages).empty()) throw OutOfTime();
+  return {std::move(found), std::move(data)};
 }
 
 /// Probabilities of rivals as the records give them: exp(-BIC / 2) over their sum.

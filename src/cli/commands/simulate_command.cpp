@@ -328,6 +328,7 @@ void declare_options(Command& command, SimulateArguments& options) {
   declare_map_option(command, options.data);
   command.add("--time NAME", &options.input_time, "Time column of the input record");
   declare_run_options(command, options.run);
+  declare_time_limit(command, options.run);
 }
 
 }  // namespace

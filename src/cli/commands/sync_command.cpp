@@ -108,6 +108,8 @@ int sync_command(const Session& session, const SyncArguments& options) {
   if (options.json) write_output(session, *options.json, format_json(found.report));
   write_report(session, options.report, [&] { return sync_page(found.report, found.data); });
   if (options.json != "-" && options.report.page != "-") show(session, text_of(found));
+  if (const Admission cut = admission_of(found.report.result); !cut.stands())
+    return status_of(session, cut);
   const std::string failure = failure_of(found);
   if (failure.empty()) return 0;
   session.streams.err << "lacuna: error: " << failure << "\n";
@@ -123,10 +125,11 @@ SyncAnswer answer(const Registry& registry, const SyncRequest& request,
   const auto differentiator = registry.make<Differentiator>(request.differentiator);
   const std::optional<Matrix> coupling = parse_coupling(model, request.coupling);
   check_map(request.data, column_names(model));
-  context.report("reading data", 0.0);
-  Dataset data =
-      long_enough(records_for(model, request.data, common_roles(request.data), *differentiator),
-                  *integrator);
+  context.unhurried().report("reading data", 0.0);
+  const Dataset all = long_enough(records_for(model, request.data, common_roles(request.data),
+                                              *differentiator, Columns::All),
+                                  *integrator);
+  Dataset data = used_part(model, all);
   check_outputs_are_states(model, data);
   const OdeModel driven = with_shown_holds(model, data);
   SyncReport report{synchronise(driven, data, *integrator, {.coupling = coupling}, context),
@@ -135,13 +138,13 @@ SyncAnswer answer(const Registry& registry, const SyncRequest& request,
   if (report.result.by_fixed_steps) report.integrator = Rk4Options::kInfo.name;
   report.verdict =
       beside_late_inputs(judge(driven, data, report.result), driven, request, *differentiator);
-  return {std::move(report), std::move(data)};
+  return {std::move(report), std::move(data),
+          data_line(all, static_cast<Index>(model.inputs().size()))};
 }
 
 std::string text_of(const SyncAnswer& answer) {
-  const auto& [report, data] = answer;
-  return data_line(data, data.input_count()) + "\n" + notes_of(data, report) + "\n" +
-         format_text(report);
+  return answer.read + "\n" + notes_of(answer.data, answer.report) + "\n" +
+         format_text(answer.report);
 }
 
 std::string failure_of(const SyncAnswer& answer) {
@@ -173,6 +176,7 @@ Command declare_sync() {
               "Write the result as JSON; - for standard output");
   declare_report_options(command, options->report);
   declare_run_options(command, options->run);
+  declare_time_limit(command, options->run);
   command.run = [options](const Session& session) { return sync_command(session, *options); };
   return command;
 }

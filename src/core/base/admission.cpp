@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "lacuna/core/base/admission.hpp"
 
+#include <algorithm>
 #include <string>
 
 #include "core/base/text.hpp"
@@ -11,7 +12,14 @@ namespace {
 Admission cut_search(const VerdictBasis& basis) {
   const std::string line = left_out_line(basis.stages);
   if (line.empty()) return {};
-  return {Standing::Incomplete, line, "leave it its time (--time-limit, --effort)"};
+  const auto because = [&](const char* why) {
+    return std::any_of(basis.stages.begin(), basis.stages.end(),
+                       [&](const StageDone& stage) { return !stage.done && stage.why == why; });
+  };
+  std::vector<std::string> options;
+  if (because(kTimeIsUp)) options.emplace_back("--time-limit");
+  if (because(kIsQuick)) options.emplace_back("--effort");
+  return {Standing::Incomplete, line, "leave it its time (" + join(options, ", ") + ")"};
 }
 
 Admission nothing_moves(const VerdictBasis& basis) {

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "unit_hints.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <optional>
 #include <string>
 
@@ -107,6 +109,62 @@ std::vector<OtherUnit> in_other_units(const OdeModel& model, const Dataset& data
   return all;
 }
 
+/// How a turn is written in a unit of angle; nothing in another unit.
+struct Turn {
+  std::string text;
+  double size = 0.0;
+};
+
+std::optional<Turn> turn_in(const std::string& unit) {
+  if (unit == "rad") return Turn{"2*pi", 2.0 * std::numbers::pi};
+  if (unit == "deg") return Turn{"360", 360.0};
+  return std::nullopt;
+}
+
+/// Whether a measured state is whole numbers, so many that they may be counts of an encoder.
+bool are_counts(const Dataset& data, Index k) {
+  constexpr double kMany = 1000.0;  // a fact of encoders: next to none has less a turn
+  if (!data.is_measured(k)) return false;
+  double low = 0.0, high = 0.0;
+  for (const Trajectory& record : data.trajectories) {
+    const auto values = record.states.col(k).array();
+    if (!(values == values.round()).all()) return false;
+    low = std::min(low, values.minCoeff());
+    high = std::max(high, values.maxCoeff());
+  }
+  return high - low >= kMany;
+}
+
+/// The factor is known to some per cent: what is certain is that these are counts.
+Hint hint_for_counts(const Quantity& state, const Turn& turn, double factor) {
+  const double counts = turn.size / factor;
+  const double unit = std::pow(10.0, std::floor(std::log10(counts)) - 1.0);  // two digits
+  return {
+      HintKind::ChannelUnit,
+      state.name + " is whole numbers in the records and in " + state.unit +
+          " in the model, as counts of an encoder are, of which the records suggest about " +
+          std::to_string(std::llround(std::round(counts / unit) * unit)) + " a turn",
+      "give the column in " + state.unit + ": multiply " + state.name + " by " + turn.text +
+          "/N, N the counts of a turn",
+      Withheld::Answer};
+}
+
+/// States that are angles in the model and look like counts in the records, where a factor
+/// undoes the misfit.
+std::vector<Hint> count_hints(const OdeModel& model, const Dataset& data,
+                              const RateWindows& windows, const HintOptions& options) {
+  std::vector<Hint> hints;
+  for (Index k = 0; k < model.dimension(); ++k) {
+    const Quantity& state = model.states()[static_cast<std::size_t>(k)];
+    const std::optional<Turn> turn = turn_in(state.unit);
+    if (!turn || !are_counts(data, k)) continue;
+    const SuggestedFactor found = suggested_factor(model, data, windows, k);
+    if (found.remainder < options.slip_remainder && found.factor < 1.0)
+      hints.push_back(hint_for_counts(state, *turn, found.factor));
+  }
+  return hints;
+}
+
 Hint hint_for_factor(const OtherUnit& one, double factor) {
   constexpr int kDigits = 4;  // more than a factor is known to
   const Quantity& column = one.column;
@@ -136,7 +194,7 @@ std::vector<Hint> unit_hints(const OdeModel& model, const BoundRecords& records,
                              const RateWindows& windows, const HintOptions& options) {
   const std::vector<OtherUnit> all = in_other_units(model, records.data);
   if (auto swapped = swapped_hint(all)) return {*std::move(swapped)};
-  std::vector<Hint> hints;
+  std::vector<Hint> hints = count_hints(model, records.data, windows, options);
   std::vector<OtherUnit> without_factor;
   for (const OtherUnit& one : all) {
     const SuggestedFactor found = suggested_factor(model, records.data, windows, one.channel);

@@ -65,17 +65,18 @@ std::vector<SmallestEffect> smallest_effects(const Diagnosis& diagnosis, double 
   return least;
 }
 
-}  // namespace
+/// The floor of the gap where no verdict stands by the noise model: what has a memory may be the
+/// structure that has no name.
+void keep_white_floor(Diagnosis& diagnosis) {
+  if (!diagnosis.gap) return;
+  if (diagnosis.verdict != Verdict::UnnamedStructure && diagnosis.verdict != Verdict::Undetermined)
+    return;
+  diagnosis.gap->noise_floor = diagnosis.gap->white_floor;
+  diagnosis.gap->above_floor = diagnosis.gap->above_white_floor;
+}
 
-void admit_verdict(Diagnosis& diagnosis, const DecisionOptions& decision, double duration) {
-  const Claim claim = claim_of(diagnosis.verdict);
-  diagnosis.admission =
-      admit({.claim = claim,
-             .stages = deciding(diagnosis.stages, claim),
-             .changed = changed(diagnosis.coefficient_changes, decision.significance) +
-                        (diagnosis.combined_change ? 1 : 0),
-             .still = withheld_by(diagnosis.hints) == Withheld::Claims,
-             .memory = memory_of(diagnosis, decision, duration)});
+/// By what admit() says.
+void take_standing(Diagnosis& diagnosis, const DecisionOptions& decision) {
   switch (diagnosis.admission.standing) {
     case Standing::Stands:
       return;
@@ -87,6 +88,21 @@ void admit_verdict(Diagnosis& diagnosis, const DecisionOptions& decision, double
       diagnosis.verdict = Verdict::Incomplete;
       return;
   }
+}
+
+}  // namespace
+
+void admit_verdict(Diagnosis& diagnosis, const DecisionOptions& decision, double duration) {
+  const Claim claim = claim_of(diagnosis.verdict);
+  diagnosis.admission =
+      admit({.claim = claim,
+             .stages = deciding(diagnosis.stages, claim),
+             .changed = changed(diagnosis.coefficient_changes, decision.significance) +
+                        (diagnosis.combined_change ? 1 : 0),
+             .still = withheld_by(diagnosis.hints) == Withheld::Claims,
+             .memory = memory_of(diagnosis, decision, duration)});
+  take_standing(diagnosis, decision);
+  keep_white_floor(diagnosis);
 }
 
 }  // namespace lacuna

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 #include <vector>
 
@@ -357,6 +358,17 @@ HoldoutEvaluation evaluate_names(const Problem& problem, const CompositeModel& c
 
 namespace {
 
+/// Effects that explain hardly anything beside others that explain what there is to explain.
+void set_minor_apart(const DecisionOptions& decision, Diagnosis& result) {
+  std::vector<NamedEffect>& all = result.effects;
+  const auto minor = std::stable_partition(
+      all.begin(), all.end(),
+      [&](const NamedEffect& one) { return one.gap_closed >= decision.effect_size; });
+  if (minor == all.begin()) return;
+  result.minor_effects.assign(std::make_move_iterator(minor), std::make_move_iterator(all.end()));
+  all.erase(minor, all.end());
+}
+
 /// What is against names: reservations(), what other records have to say, and what may stand in
 /// their place and was not judged.
 std::vector<std::string> doubts_of(const Problem& problem, const Judged& judged,
@@ -406,6 +418,7 @@ Diagnosis make_answer(const Problem& problem, Judged judged, std::optional<Gap> 
       .adequacy = {},
       .stages = std::move(judged.stages)};
   std::move(best.findings.begin(), best.findings.end(), std::back_inserter(result.effects));
+  set_minor_apart(problem.options.decision, result);
   result.notes.insert(result.notes.end(), best.notes.begin(), best.notes.end());
   result.remaining.structure = result.remaining.structure || evaluation.lower ||
                                result.verdict == Verdict::UnnamedStructure;

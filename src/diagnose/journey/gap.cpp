@@ -50,19 +50,28 @@ double noise_of_samples(const BoundRecords& records, std::size_t k) {
   return known ? records.channels[k].noise.sigma : 0.0;
 }
 
-double noise_floor(const NoiseModel& noise, const Vector& scale,
-                   const HeldOutRecords& held_out) {
-  double sum = 0.0;
+/// What the measurement noise alone makes: all of it, and without what of it has a memory, beside
+/// which the fit may leave nothing to the white noise that the samples show.
+struct NoiseFloors {
+  double all = 0.0, white = 0.0;
+};
+
+NoiseFloors noise_floors(const NoiseModel& noise, const Vector& scale,
+                         const HeldOutRecords& held_out) {
+  NoiseFloors sums;
   double count = 0.0;
   for (std::size_t k = 0; k < noise.measurement.size(); ++k) {
     const double unit = scale[static_cast<Index>(k)];
     if (!noise.measurement[k] || unit == 0.0) continue;
     const double colour = noise.coloured[k] ? noise.coloured[k]->deviation : 0.0;
-    const double least = held_out.unexplained ? noise_of_samples(held_out.given, k) : 0.0;
-    sum += std::pow(std::max(std::hypot(noise.rounded(k), colour), least) / unit, 2);
+    const double shown = noise_of_samples(held_out.given, k);
+    const double least = held_out.unexplained ? shown : 0.0;
+    sums.all += std::pow(std::max(std::hypot(noise.rounded(k), colour), least) / unit, 2);
+    sums.white += std::pow(std::max(noise.rounded(k), shown) / unit, 2);
     count += 1.0;
   }
-  return std::sqrt(sum / count);
+  return {std::min(std::sqrt(sums.all / count), held_out.known_floor),
+          std::min(std::sqrt(sums.white / count), held_out.known_floor)};
 }
 
 /// The noise of a model with fewer states.
@@ -225,20 +234,22 @@ Gap gap_on(const OdeModel& nominal, const Explanation& explanation,
   const FreeRuns free = run_freely_both(
       nominal, fit, {held_out.given.data, records.data, scale, begins}, length, context);
   const double window = window_duration(runs, length);
-  const double floor = std::min(noise_floor(fit.noise, scale, held_out), held_out.known_floor);
+  const NoiseFloors floors = noise_floors(fit.noise, scale, held_out);
   return {
       "rms of (measured - model) / standard deviation in windows of one mean period, "
       "initial state fitted",
       all.before.rms(),
       all.after.rms(),
-      floor,
-      all.after.above(floor),
+      floors.all,
+      all.after.above(floors.all),
       window,
       sources_of(held_out.given.data),
       all.before.diverged + all.after.diverged,
       std::move(runs),
       free.before,
-      free.after};
+      free.after,
+      floors.white,
+      all.after.above(floors.white)};
 }
 
 }  // namespace

@@ -230,14 +230,25 @@ bool runs_away(const Gap& gap, const DecisionOptions& decision) {
   return gap.free_after && !(gap.free_after->apart <= decision.diverging);
 }
 
+namespace {
+
+/// Beside names noise with a memory is noise; where nothing is named it may be what has no name.
+std::string open_gap_phrase(const Gap& gap, bool is_named) {
+  const double floor = is_named ? gap.noise_floor : gap.white_floor;
+  return "the gap on the records that were not used stays at " +
+         format_number(gap.after / floor, 3) + " times its noise floor" +
+         (floor > gap.white_floor ? ", with noise that has a memory" : "");
+}
+
+}  // namespace
+
 Sentences reservations(const Problem& problem, const CompositeModel& composite,
                        const std::optional<Gap>& gap) {
   Sentences said;
   const bool is_named = !composite.named.empty();
   if (gap && (stays_open(*gap, problem.options.decision) ||
               (is_named && exceeds_noise(*gap, problem.options.decision))))
-    said.push_back("the gap on the records that were not used stays at " +
-                   format_number(gap->after / gap->noise_floor, 3) + " times its noise floor");
+    said.push_back(open_gap_phrase(*gap, is_named || !composite.findings.empty()));
   if (gap && runs_away(*gap, problem.options.decision))
     said.push_back("no model yet: run freely over the whole of the records that were not used "
                    "it is off by " +

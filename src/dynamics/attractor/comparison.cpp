@@ -10,6 +10,7 @@
 #include "dynamics/attractor/rosenstein.hpp"
 #include "lacuna/core/base/error.hpp"
 #include "lacuna/core/base/function_ref.hpp"
+#include "lacuna/core/base/stages_done.hpp"
 #include "lacuna/core/statistics/interval.hpp"
 
 namespace lacuna {
@@ -57,9 +58,10 @@ AttractorMeasure judged(AttractorMeasure measure, double difference) {
 
 /// Distances of neighbouring blocks of one record, and of blocks of different records.
 AttractorMeasure distance_measure(std::string name, const Blocks& a, const Blocks& b,
-                                  Distance distance) {
+                                  Distance distance, const RunContext& context) {
   std::vector<double> within, between;
   for (std::size_t i = 0; i < a.size(); ++i) {
+    context.check_stop();
     between.push_back(distance(a[i], b[i]));
     if (i == 0) continue;
     within.push_back(distance(a[i - 1], a[i]));
@@ -70,11 +72,21 @@ AttractorMeasure distance_measure(std::string name, const Blocks& a, const Block
                 other.mean - own.mean);
 }
 
-/// A measure that may be out of reach of a record; its message then stands in the note.
+/// A measure that the deadline may leave out.
+template <class Make>
+AttractorMeasure in_time(const std::string& name, Make make) {
+  try {
+    return make();
+  } catch (const OutOfTime&) {
+    return {.name = name, .note = kTimeIsUp, .left_out = true};
+  }
+}
+
+/// One that may be out of reach of a record, too; its message then stands in the note.
 template <class Make>
 AttractorMeasure if_possible(const std::string& name, Make make) {
   try {
-    return make();
+    return in_time(name, make);
   } catch (const ArgumentError& error) {
     return {.name = name, .note = error.what()};
   }
@@ -86,10 +98,10 @@ AttractorMeasure compared(std::string name, std::string unit, const Estimate& a,
                 std::abs(a.mean - b.mean));
 }
 
-Estimate exponent_of(const Blocks& blocks) {
+Estimate exponent_of(const Blocks& blocks, const RunContext& context) {
   std::vector<double> exponents;
   for (const Trajectory& block : blocks)
-    exponents.push_back(rosenstein_divergence(block).exponent);
+    exponents.push_back(rosenstein_divergence(block, kDivergenceReferences, context).exponent);
   return estimate_of(exponents);
 }
 
@@ -104,10 +116,12 @@ void check_alike(const Dataset& a, const Dataset& b) {
 
 }  // namespace
 
-std::vector<AttractorMeasure> compare_attractors(const Dataset& a, const Dataset& b) {
+std::vector<AttractorMeasure> compare_attractors(const Dataset& a, const Dataset& b,
+                                                 const RunContext& context) {
   check_alike(a, b);
   check_number_range(a);
   check_number_range(b);
+  context.report("comparing", 0.0);
   std::vector<AttractorMeasure> measures;
   const AttractorExtents first = attractor_extents(a, kParts);
   const AttractorExtents second = attractor_extents(b, kParts);
@@ -119,16 +133,19 @@ std::vector<AttractorMeasure> compare_attractors(const Dataset& a, const Dataset
   }
   const Blocks in_a = blocks_of(a), in_b = blocks_of(b);
   measures.push_back(if_possible("spectrum", [&] {
-    return distance_measure("spectrum", in_a, in_b, [](const auto& x, const auto& y) {
-      return power_spectrum_distance(x, y, 4);
-    });
+    return distance_measure(
+        "spectrum", in_a, in_b,
+        [](const auto& x, const auto& y) { return power_spectrum_distance(x, y, 4); }, context);
   }));
-  measures.push_back(distance_measure("density", in_a, in_b, [](const auto& x, const auto& y) {
-    return density_distance(x.states, y.states);
+  measures.push_back(in_time("density", [&] {
+    return distance_measure(
+        "density", in_a, in_b,
+        [](const auto& x, const auto& y) { return density_distance(x.states, y.states); },
+        context);
   }));
   measures.push_back(if_possible("Lyapunov exponent", [&] {
-    return compared("Lyapunov exponent", "1/" + a.time_unit, exponent_of(in_a),
-                    exponent_of(in_b));
+    return compared("Lyapunov exponent", "1/" + a.time_unit, exponent_of(in_a, context),
+                    exponent_of(in_b, context));
   }));
   return measures;
 }

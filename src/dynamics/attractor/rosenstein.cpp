@@ -73,11 +73,12 @@ struct Curve {
   double strangers = 0.0;  ///< <log d> of pairs that are half a record apart
 };
 
-Curve follow(const Pairs& pairs, Index horizon, Index references) {
+Curve follow(const Pairs& pairs, Index horizon, Index references, const RunContext& context) {
   const Index count = std::min(references, pairs.usable());
   Curve curve{Vector::Zero(horizon + 1), 0.0};
   Vector parts = Vector::Zero(horizon + 1);
   for (Index r = 0; r < count; ++r) {
+    context.check_stop();
     const Index i = r * pairs.usable() / count;
     curve.strangers += pairs.log_distance(i, (i + pairs.usable() / 2) % pairs.usable()) /
                        static_cast<double>(count);
@@ -109,7 +110,8 @@ Index end_of_growth(const Curve& curve, Index first) {
 
 }  // namespace
 
-Divergence rosenstein_divergence(const Trajectory& record, Index references) {
+Divergence rosenstein_divergence(const Trajectory& record, Index references,
+                                 const RunContext& context) {
   const std::optional<double> step = uniform_step(record);
   if (!step || record.samples() < 3 || references < 1)
     throw ArgumentError("rosenstein_divergence", "the record is not sampled uniformly",
@@ -128,7 +130,7 @@ Divergence rosenstein_divergence(const Trajectory& record, Index references) {
   if (record.samples() < horizon + 5 * period)
     throw ArgumentError("rosenstein_divergence", "the record is shorter than 20 mean periods",
                         "give a longer one");
-  const Curve curve = follow(Pairs(points, period, horizon), horizon, references);
+  const Curve curve = follow(Pairs(points, period, horizon), horizon, references, context);
   const Index last = end_of_growth(curve, period);
   result.time = Vector::LinSpaced(horizon + 1, 0.0, static_cast<double>(horizon) * *step);
   result.log_mean = curve.neighbours;

@@ -3,6 +3,7 @@
 
 #include <optional>
 
+#include "lacuna/core/base/run_context.hpp"
 #include "lacuna/data/records/dataset.hpp"
 
 namespace lacuna {
@@ -17,6 +18,9 @@ struct Divergence {
   Vector log_mean;  ///< mean(log d), states in units of their standard deviations
 };
 
+/// Enough for the exponent of an attractor that a record goes round a few dozen times.
+inline constexpr Index kDivergenceReferences = 2000;
+
 /// The largest Lyapunov exponent from a record of all states (Rosenstein, Collins, De Luca,
 /// Physica D 65:117-134, 1993): each sample's nearest neighbour at least one mean period away
 /// in time is followed along with it.
@@ -28,7 +32,10 @@ struct Divergence {
 /// @param references samples whose neighbours are followed, spread over the record.
 /// @throws ArgumentError when the record is not uniform, is shorter than 20 mean periods or
 /// does not move.
-/// The same when a sample or its square is not finite, or rows and times differ in number.
-Divergence rosenstein_divergence(const Trajectory& record, Index references = 2000);
+/// The same when a sample or its square is not finite, or rows and times differ in number;
+///   Cancelled, OutOfTime as RunContext::check_stop().
+Divergence rosenstein_divergence(const Trajectory& record,
+                                 Index references = kDivergenceReferences,
+                                 const RunContext& context = {});
 
 }  // namespace lacuna

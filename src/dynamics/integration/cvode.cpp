@@ -8,7 +8,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <exception>
 #include <new>
+#include <utility>
 
 #include "core/base/check.hpp"
 
@@ -19,13 +21,20 @@ namespace {
 struct Rates {
   const RightHandSide* rhs = nullptr;
   Index dimension = 0;
+  std::exception_ptr thrown = {};  ///< by the right-hand side: none passes through C
 };
 
-/// SUNDIALS' callback; 1 asks it to try a shorter step, for rates that are not finite.
+/// SUNDIALS' callback; 1 asks it to try a shorter step, for rates that are not finite; below 0
+/// it gives up.
 int evaluate(realtype t, N_Vector x, N_Vector dxdt, void* data) {
-  const auto& rates = *static_cast<const Rates*>(data);
+  auto& rates = *static_cast<Rates*>(data);
   double* values = N_VGetArrayPointer(dxdt);
-  (*rates.rhs)(t, N_VGetArrayPointer(x), values);
+  try {
+    (*rates.rhs)(t, N_VGetArrayPointer(x), values);
+  } catch (...) {
+    rates.thrown = std::current_exception();
+    return -1;
+  }
   const bool finite = std::all_of(values, values + rates.dimension,
                                   [](double value) { return std::isfinite(value); });
   return finite ? 0 : 1;
@@ -49,7 +58,7 @@ SUNContext new_context() {
 class CvodeStepper final : public Stepper {
  public:
   CvodeStepper(Index dimension, const CvodeOptions& options)
-      : rates_{nullptr, dimension}, options_(options) {}
+      : rates_{.dimension = dimension}, options_(options) {}
 
   IntegrationStatus advance(RightHandSide rhs, double& t0, double t1, double* x) override {
     rates_.rhs = &rhs;
@@ -76,7 +85,12 @@ class CvodeStepper final : public Stepper {
  private:
   int step_to(double t1) {
     CVodeSetStopTime(memory_.get(), t1);
-    return CVode(memory_.get(), t1, state_.get(), &time_, CV_NORMAL);
+    const int flag = CVode(memory_.get(), t1, state_.get(), &time_, CV_NORMAL);
+    if (rates_.thrown) {
+      begun_ = false;
+      std::rethrow_exception(std::exchange(rates_.thrown, nullptr));
+    }
+    return flag;
   }
 
   /// Starts at a state with a step of its own, as at the begin and where a caller moved x.

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "core/base/text.hpp"
+#include "dynamics/integration/watched_rates.hpp"
 
 namespace lacuna {
 namespace {
@@ -84,6 +85,7 @@ Solution Integrator::integrate(RightHandSide rhs, const Vector& x0, const Vector
   solution.states.row(0) = x0.transpose();
   const double bound = divergence_bound(x0.data(), x0.size());
   const std::unique_ptr<Stepper> stepper = make_stepper(x0.size());
+  WatchedRates watched(rhs, context);
   Vector x = x0, last = x0;
   double t = times[0], last_time = t;
   const Index stride = times.size() / 100 + 1;
@@ -91,7 +93,7 @@ Solution Integrator::integrate(RightHandSide rhs, const Vector& x0, const Vector
     if (i % stride == 0)
       context.report("integrating", static_cast<double>(i) / static_cast<double>(times.size()));
     context.check_stop();
-    solution.status = stepper->advance(rhs, t, times[i], x.data());
+    solution.status = stepper->advance(watched, t, times[i], x.data());
     if (beyond(x, bound)) {
       solution.status = IntegrationStatus::Diverged;
       x = last;

@@ -7,6 +7,7 @@
 
 #include "lacuna/core/numerics/sampled_signal.hpp"
 #include "lacuna/records/binding/model_view.hpp"
+#include "watched_rates.hpp"
 
 namespace lacuna {
 namespace {
@@ -103,7 +104,7 @@ class Slave {
 };
 
 /// To the end of an interval, in as many steps as a task asks for.
-IntegrationStatus advance(Slave& slave, Stepper& stepper, double end, int parts,
+IntegrationStatus advance(RightHandSide slave, Stepper& stepper, double end, int parts,
                           SlaveRun& run) {
   const double begin = run.end_time;
   for (int part = 1; part <= parts; ++part) {
@@ -122,6 +123,7 @@ SlaveRun follow(Slave& slave, const Trajectory& record, const SlaveTask& task,
                .end_time = record.time[0],
                .end_state = start};
   const std::unique_ptr<Stepper> stepper = task.integrator.make_stepper(start.size());
+  WatchedRates watched(slave, task.context);
   const auto keep = [&](Index n) {
     run.states.row(n) = run.end_state.transpose();
     run.errors[n] =
@@ -129,11 +131,12 @@ SlaveRun follow(Slave& slave, const Trajectory& record, const SlaveTask& task,
   };
   keep(0);
   for (Index n = 0; n + 1 < record.samples(); ++n) {
+    task.context.check_stop();
     if (n % 4096 == 0)
       task.context.report("synchronising",
                           static_cast<double>(n) / static_cast<double>(record.samples()));
     slave.start_interval(n);
-    run.status = advance(slave, *stepper, record.time[n + 1], task.parts, run);
+    run.status = advance(watched, *stepper, record.time[n + 1], task.parts, run);
     if (run.status != IntegrationStatus::Completed) {
       run.errors.conservativeResize(n + 1);
       run.states.conservativeResize(n + 1, Eigen::NoChange);

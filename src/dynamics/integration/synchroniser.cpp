@@ -84,7 +84,25 @@ std::string divergence_message(const Trajectory& trajectory, const SlaveRun& run
                      time_unit);
 }
 
+/// What a slave that came to the end leaves open: other slaves show it.
+void probe(const SlaveTask& task, const Dataset& view, SyncResult& result) {
+  run_stage(result.stages, "response to noise",
+            [&] { result.response = response_to_noise(task, view, result); });
+  result.error_over_noise = error_over_noise(view, result);
+  run_stage(result.stages, "response to the first sample",
+            [&] { result.start_response = response_to_start(task, view, result); });
+  if (result.status == IntegrationStatus::Completed && task.integrator.has_fixed_steps())
+    run_stage(result.stages, "errors of the steps",
+              [&] { result.step_errors = step_errors(task, view, result); });
+  if (task.seen.minCoeff() == 0.0)
+    run_stage(result.stages, "hidden states", [&] {
+      result.conditional_exponent =
+          conditional_exponent(task, view.trajectories.front(), result);
+    });
+}
+
 /// The slaves of all trajectories and what they show.
+/// @throws OutOfTime where the deadline passes before they are at the end.
 SyncResult driven(const SlaveTask& task, const Dataset& view, const Vector& noise) {
   SyncResult result;
   result.coupling = task.coupling;
@@ -100,13 +118,9 @@ SyncResult driven(const SlaveTask& task, const Dataset& view, const Vector& nois
   }
   add_statistics(view, result);
   result.settled = has_settled(view, result);
-  result.response = response_to_noise(task, view, result);
-  result.error_over_noise = error_over_noise(view, result);
-  result.start_response = response_to_start(task, view, result);
-  if (result.status == IntegrationStatus::Completed && task.integrator.has_fixed_steps())
-    result.step_errors = step_errors(task, view, result);
-  if (task.seen.minCoeff() == 0.0)
-    result.conditional_exponent = conditional_exponent(task, view.trajectories.front(), result);
+  result.stages.push_back({"slaves"});
+  result.response = result.start_response = Vector::Zero(view.state_count());
+  probe(task, view, result);
   return result;
 }
 
@@ -131,6 +145,35 @@ AutomaticOptions stiff_steps(const Dataset& view) {
 
 bool is_automatic(const Integrator& integrator) {
   return integrator.info().name == AutomaticOptions::kInfo.name;
+}
+
+/// Slaves by steps that adapt, and where these get too small by fixed ones, where the first
+/// broke off or are faster than the samples; nothing where it stands, or nothing else gets
+/// farther.
+std::optional<SyncResult> by_other_steps(const SlaveTask& task, const Dataset& view,
+                                         const Vector& noise, const SyncResult& first) {
+  const bool adapts = !task.integrator.has_fixed_steps();
+  if (first.status == IntegrationStatus::Completed &&
+      !(adapts && is_faster_than_samples(task, view)))
+    return std::nullopt;
+  const auto by = [&](const Integrator& integrator) {
+    // The fewer samples, the less a curve overshoots between them.
+    const LagrangeWindow plain = adapts ? LagrangeWindow::driving(Rk4{}.order()) : task.window;
+    return driven(
+        {task.model, task.coupling, integrator, plain, task.start, task.seen, task.context},
+        view, noise);
+  };
+  SyncResult finer = by(Automatic(stiff_steps(view)));
+  if (finer.status == IntegrationStatus::Completed) {
+    finer.stiff = true;
+    return finer;
+  }
+  if (first.status != IntegrationStatus::StepTooSmall || !is_automatic(task.integrator))
+    return std::nullopt;
+  SyncResult coarser = by(Rk4{});
+  if (coarser.status != IntegrationStatus::Completed) return std::nullopt;
+  coarser.by_fixed_steps = true;
+  return coarser;
 }
 
 }  // namespace
@@ -167,27 +210,12 @@ SyncResult synchronise(const OdeModel& model, const Dataset& record,
   const Vector noise = noise_in(view, record, options.noise);
   const SlaveTask task{model, coupling, integrator, window, options.start, seen, context};
   SyncResult result = driven(task, view, noise);
-  const bool adapts = !integrator.has_fixed_steps();
-  if (result.status == IntegrationStatus::Completed &&
-      !(adapts && is_faster_than_samples(task, view)))
-    return result;
-  const Automatic adaptive(stiff_steps(view));
-  // The fewer samples, the less a curve overshoots between them.
-  const LagrangeWindow plain = adapts ? LagrangeWindow::driving(Rk4{}.order()) : window;
-  SyncResult finer =
-      driven({model, coupling, adaptive, plain, options.start, seen, context}, view, noise);
-  if (finer.status == IntegrationStatus::Completed) {
-    finer.stiff = true;
-    return finer;
-  }
-  if (result.status != IntegrationStatus::StepTooSmall || !is_automatic(integrator))
-    return result;
-  const Rk4 fixed;
-  SyncResult coarser =
-      driven({model, coupling, fixed, plain, options.start, seen, context}, view, noise);
-  if (coarser.status != IntegrationStatus::Completed) return result;
-  coarser.by_fixed_steps = true;
-  return coarser;
+  std::optional<SyncResult> other;
+  if (run_stage(result.stages, "other steps",
+                [&] { other = by_other_steps(task, view, noise, result); }) &&
+      other)
+    return *std::move(other);
+  return result;
 }
 
 }  // namespace lacuna

@@ -59,11 +59,15 @@ std::vector<Dataset> copies_of(const BenchTask& task, double noise, std::uint64_
 
 BenchCell cell_of(const BenchTask& task, std::size_t composition, double noise,
                   const std::vector<Dataset>& copies, const RunContext& context) {
-  BenchCell cell{composition, noise, {}, {}};
+  BenchCell cell{.composition = composition, .noise = noise, .scores = {}, .failures = {}};
   for (const Dataset& copy : copies) {
     try {
+      context.check_stop();
       cell.scores.push_back(bench_score(task.compositions[composition].pipeline, copy,
                                         task.data, task.truth, context));
+    } catch (const OutOfTime&) {
+      cell.done = false;
+      break;
     } catch (const Cancelled&) {
       throw;
     } catch (const Error& error) {
@@ -74,6 +78,11 @@ BenchCell cell_of(const BenchTask& task, std::size_t composition, double noise,
 }
 
 }  // namespace
+
+bool BenchResult::complete() const {
+  return std::all_of(cells.begin(), cells.end(),
+                     [](const BenchCell& cell) { return cell.done; });
+}
 
 const BenchCell& BenchResult::cell(std::size_t composition, std::size_t level) const {
   const std::size_t place = composition * noise.size() + level;
@@ -122,6 +131,7 @@ BenchScore bench_score(const Pipeline& pipeline, const Dataset& noisy, const Dat
   const auto start = std::chrono::steady_clock::now();
   const IdentificationResult result = identify(noisy, pipeline, context);
   const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
+  context.check_stop();
   BenchScore score;
   score.seconds = time.count();
   for (const Equation& equation : result.model.equations())
@@ -131,7 +141,7 @@ BenchScore bench_score(const Pipeline& pipeline, const Dataset& noisy, const Dat
     score.exact_structure = accuracy.exact_structure;
     score.coefficient_error = accuracy.largest_error;
   }
-  const SyncResult sync = synchronise(result.model, clean, Rk4{});
+  const SyncResult sync = synchronise(result.model, clean, Rk4{}, {}, context);
   if (sync.status == IntegrationStatus::Completed) score.sync = sync.relative;
   return score;
 }
@@ -142,16 +152,20 @@ BenchResult bench(const BenchTask& task, const RunContext& context) {
   for (const BenchComposition& one : task.compositions) result.parts.push_back(one.parts);
   std::vector<std::vector<Dataset>> copies;
   for (const double level : task.noise) copies.push_back(copies_of(task, level, context.seed));
-  RunContext inner = context;
-  inner.progress = nullptr;
   const double count = static_cast<double>(task.compositions.size() * task.noise.size());
   for (std::size_t c = 0; c < task.compositions.size(); ++c)
     for (std::size_t level = 0; level < task.noise.size(); ++level) {
       const std::string activity = join(task.compositions[c].parts, " + ") + ", noise " +
                                    format_number(100.0 * task.noise[level]) + " %";
-      context.report(activity, static_cast<double>(result.cells.size()) / count);
+      context.unhurried().report(activity, static_cast<double>(result.cells.size()) / count);
+      RunContext inner = context;
+      inner.progress = nullptr;
       result.cells.push_back(cell_of(task, c, task.noise[level], copies[level], inner));
     }
+  const bool any = std::any_of(result.cells.begin(), result.cells.end(), [](const auto& cell) {
+    return !cell.scores.empty() || !cell.failures.empty();
+  });
+  if (!any) throw OutOfTime();
   return result;
 }
 

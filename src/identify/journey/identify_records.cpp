@@ -97,7 +97,7 @@ const StageInfo& method_of(const SyncResult& sync, const Integrator& integrator)
 }
 
 /// Drives a model with its record.
-/// @throws DataError where the record is too short for that.
+/// @throws DataError where the record is too short for that; OutOfTime.
 std::optional<Verification> verify(const IdentificationTask& task, IdentificationResult& found,
                                    const RecordStream& records, const RunContext& context) {
   const Integrator& integrator = *task.integrator;
@@ -109,6 +109,7 @@ std::optional<Verification> verify(const IdentificationTask& task, Identificatio
   else
     options.noise = white_noise(records.noise(context.threads));
   SyncResult sync = synchronise(found.model, driving, integrator, options, context);
+  if (!left_out_line(sync.stages).empty()) throw OutOfTime();
   if (sync.status != IntegrationStatus::Completed)
     found.warnings.push_back("synchronisation with the record failed: " + sync.message);
   else if (!sync.settled)
@@ -152,8 +153,9 @@ void judge_model(const IdentificationTask& task, std::optional<Dataset> held_out
   });
   if (validation && falls_short(*validation) && !is_map)
     run_unless_quick(task, found, kAdviceStage, [&] {
-      validation->advice = advice_for({found, data, task.effects, white_noise(*noise)},
-                                      task.options.advice, context);
+      validation->advice =
+          advice_for({found, data, task.pipeline, task.effects, white_noise(*noise)},
+                     task.options.advice, context);
     });
   if (validation) take_in(*std::move(validation), data, found);
   if (!is_map)

@@ -10,7 +10,7 @@ namespace {
 void compare_with_noise(EquationFit& fit, std::vector<std::string>& warnings) {
   const double noise = fit.noise_floor.value_or(0.0);
   if (noise <= 0.0) return;
-  fit.fits_to_noise = fit.residual_rms <= 2.0 * noise;
+  fit.fits_to_noise = fit.residual_rms <= kFitsBelow * noise;
   if (*fit.fits_to_noise) return;
   fit.doubt = "d" + fit.equation + "/dt: the residual (rms " +
               format_number(fit.residual_rms, 3) + ") is " +

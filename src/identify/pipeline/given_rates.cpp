@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "fit_doubts.hpp"
 #include "lacuna/data/records/noise.hpp"
 
 namespace lacuna {
@@ -62,14 +63,13 @@ Vector noise_of_given_rates(const OdeModel& model, const Dataset& data,
 
 void note_floors_of_given_rates(const OdeModel& model, const Dataset& data,
                                 const Vector& state_noise, std::vector<EquationFit>& fits) {
-  constexpr double kMost = 2.0;  // a decision: of the noise, that of judge_fits()
   const Vector noise = noise_of_given_rates(model, data, state_noise);
   const Vector rounding = kRoundingOfRates * sizes_of_rates(data);
   for (std::size_t k = 0; k < fits.size(); ++k) {
     const auto state = static_cast<Index>(k);
-    if (fits[k].residual_rms > kMost * noise[state])
+    if (fits[k].residual_rms > kFitsBelow * noise[state])
       fits[k].noise_floor = noise[state];
-    else if (fits[k].residual_rms <= kMost * rounding[state])
+    else if (fits[k].residual_rms <= kFitsBelow * rounding[state])
       fits[k].noise_floor = rounding[state];
   }
 }

@@ -1,24 +1,24 @@
 // SPDX-License-Identifier: MIT
 #include "lacuna/identify/validation/advice.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
 #include "core/base/text.hpp"
 #include "identify/forms_beside/function_forms.hpp"
 #include "identify/forms_beside/missing_forms.hpp"
+#include "lacuna/bases/expressions.hpp"
+#include "lacuna/model/equations/rounding.hpp"
 
 namespace lacuna {
 namespace {
 
-/// The form with its shapes to a few digits, as a user would write it.
+/// The form with its numbers to a few digits, as a user would write it.
 std::string written(const MissingForm& form, const Variables& variables) {
   // For people.
   constexpr int kDigits = 3;
-  MissingForm rounded = form;
-  for (double& shape : rounded.shapes)
-    shape = parse_number(format_number(shape, kDigits)).value_or(shape);
-  return Term(rounded.expression(), variables).name();
+  return Term(with_rounded_numbers(form.expression(), kDigits), variables).name();
 }
 
 /// An equation with the forms that its residual asks for, and the fraction that they leave.
@@ -65,6 +65,50 @@ std::optional<Asked> asked_by(const FormTask& task, Index k) {
   return Asked{std::move(equation), std::sqrt(left / before)};
 }
 
+/// The pipeline with terms beside its library and what it has found.
+Pipeline offering(const AdviceTask& asked_for, const std::string& state,
+                  const std::vector<std::string>& terms) {
+  Pipeline pipeline = asked_for.pipeline;
+  const OdeModel& model = asked_for.result.model;
+  std::vector<std::string> names = pipeline.basis->library(model.variables()).names();
+  const auto add = [](std::vector<std::string>& all, const std::string& name) {
+    if (std::find(all.begin(), all.end(), name) == all.end()) all.push_back(name);
+  };
+  for (const Equation& equation : model.equations())
+    for (const WeightedTerm& summand : equation) add(names, summand.term.name());
+  for (const std::string& term : terms) add(names, term);
+  pipeline.basis = Expressions{{.terms = std::move(names)}};
+  for (EquationTerms& own : pipeline.equations)
+    if (own.state == state)
+      for (const std::string& term : terms) add(own.terms, term);
+  return pipeline;
+}
+
+/// What is asked for, without the forms that the pipeline does not keep where it is offered all of
+/// them: what its pruner or its refiner takes out again is no advice. Nothing where too little is
+/// left of it.
+std::optional<Asked> kept_by_pipeline(const AdviceTask& asked_for, const FormTask& task,
+                                      Asked asked, const RunContext& context) {
+  EquationForms& equation = asked.equation;
+  const Index k = equation.equation;
+  const Variables variables = task.model.variables();
+  std::vector<std::string> terms;
+  for (const MissingForm& form : equation.forms) terms.push_back(written(form, variables));
+  const std::string& state = task.model.states()[static_cast<std::size_t>(k)].name;
+  const OdeModel found =
+      identify(asked_for.data, offering(asked_for, state, terms), context.beside_others()).model;
+  context.check_stop();
+  std::erase_if(equation.forms, [&](const MissingForm& form) {
+    return found.coefficient(k, written(form, variables)) == 0.0;
+  });
+  if (equation.forms.empty()) return std::nullopt;
+  EquationForms bare = equation;
+  bare.forms.clear();
+  asked.left = std::sqrt(task.search.left(equation) / task.search.left(bare));
+  if (!(asked.left < task.options.most_residual)) return std::nullopt;
+  return asked;
+}
+
 std::string sentence_of(const Asked& asked, const OdeModel& model) {
   std::vector<std::string> forms;
   for (const MissingForm& form : asked.equation.forms)
@@ -80,7 +124,7 @@ std::string sentence_of(const Asked& asked, const OdeModel& model) {
 
 std::vector<std::string> advice_for(const AdviceTask& asked_for, const AdviceOptions& options,
                                     const RunContext& context) {
-  const auto& [result, data, effects, white_noise] = asked_for;
+  const auto& [result, data, pipeline, effects, white_noise] = asked_for;
   const Scope scope = make_scope(result.model, data, result.noise);
   const FormSearch search(data, result.noise, options.search, context, {}, white_noise);
   const FormTask task{result.model, scope, effects, search, options};
@@ -89,14 +133,15 @@ std::vector<std::string> advice_for(const AdviceTask& asked_for, const AdviceOpt
     context.report("asking what the residuals ask for",
                    static_cast<double>(k) / static_cast<double>(data.state_count()));
     if (data.rate_state(k)) continue;
-    if (const std::optional<Asked> asked = asked_by(task, k))
-      advice.push_back(sentence_of(*asked, result.model));
+    std::optional<Asked> asked = asked_by(task, k);
+    if (asked) asked = kept_by_pipeline(asked_for, task, *std::move(asked), context);
+    if (asked) advice.push_back(sentence_of(*asked, result.model));
   }
   if (advice.empty())
     advice.push_back(
-        "no function of states and inputs explains the residual: save the model (--model-out) "
-        "and give it to `lacuna diagnose`, which looks for delays, memory, inputs that nobody "
-        "measured and faults of sensors");
+        "no function of states and inputs that these stages keep explains the residual: save "
+        "the model (--model-out) and give it to `lacuna diagnose`, which looks for delays, "
+        "memory, inputs that nobody measured and faults of sensors");
   return advice;
 }
 

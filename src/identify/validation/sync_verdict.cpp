@@ -383,8 +383,14 @@ std::string stronger_coupling(const std::vector<Quantity>& states, const Matrix&
                       : ", which is stronger");
 }
 
+Admission admission_of(const SyncResult& result) {
+  return admit({.claim = Claim::Fits, .stages = result.stages});
+}
+
 SyncVerdict judge(const OdeModel& model, const Dataset& record, const SyncResult& result,
                   const SyncVerdictOptions& options) {
+  if (const Admission cut = admission_of(result); !cut.stands())
+    return {.decided = false, .sentence = "Incomplete: " + cut.why + "; " + cut.remedy + "."};
   if (result.status != IntegrationStatus::Completed)
     return judge_broken_off(result);
   if (!determines_hidden(record.trajectories.front(), result, options))

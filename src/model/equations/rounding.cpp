@@ -60,8 +60,31 @@ Parameter rounded_parameter(Parameter parameter, const Digits& digits) {
 
 }  // namespace
 
+namespace {
+
+/// A sum or difference as people write it: "-y" for 0-y and -0-y, "x+2" for x-(-2).
+Expression plain_sum(bool adds, const Expression& a, const Expression& b) {
+  if (is_number(b) && b.value() < 0.0)
+    return plain_sum(!adds, a, Expression::number(-b.value()));
+  if (is_number(b, 0.0)) return a;
+  if (is_number(a, 0.0)) return adds ? b : Expression::make(Operation::Negate, {b});
+  return Expression::make(adds ? Operation::Add : Operation::Subtract, {a, b});
+}
+
+Expression plainly_made(Operation operation, std::vector<Expression> operands) {
+  const bool adds = operation == Operation::Add;
+  if (adds || operation == Operation::Subtract)
+    return plain_sum(adds, operands[0], operands[1]);
+  if (operation == Operation::Negate && is_number(operands[0]))
+    return Expression::number(operands[0].value() == 0.0 ? 0.0 : -operands[0].value());
+  return Expression::make(operation, std::move(operands));
+}
+
+}  // namespace
+
 Expression with_rounded_numbers(const Expression& e, int digits) {
-  if (is_number(e)) return Expression::number(rounded_to(e.value(), digits));
+  if (is_number(e))  // 0 has no sign
+    return Expression::number(is_number(e, 0.0) ? 0.0 : rounded_to(e.value(), digits));
   if (e.operation() == Operation::Variable) return e;
   if (e.operation() == Operation::Delay)
     return e.operands().empty()
@@ -70,7 +93,7 @@ Expression with_rounded_numbers(const Expression& e, int digits) {
   std::vector<Expression> operands;
   for (const Expression& operand : e.operands())
     operands.push_back(with_rounded_numbers(operand, digits));
-  return Expression::make(e.operation(), std::move(operands));
+  return plainly_made(e.operation(), std::move(operands));
 }
 
 Digits parse_digits(std::string_view text) {

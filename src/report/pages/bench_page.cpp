@@ -88,6 +88,10 @@ Page bench_page(const BenchResult& result, const std::string& subject) {
                   join(result.kinds, ", ") + " at " + std::to_string(result.noise.size()) +
                   (result.noise.size() == 1 ? " level of noise" : " levels of noise");
   page.tone = failed == 0 ? Tone::Good : Tone::Doubtful;
+  if (const Admission cut = admission_of(result); !cut.stands()) {
+    page.tone = Tone::Doubtful;
+    page.findings.push_back("Incomplete: " + cut.why + "; " + cut.remedy + ".");
+  }
   if (failed > 0)
     page.findings.push_back(std::to_string(failed) + " of " +
                             std::to_string(result.cells.size()) +

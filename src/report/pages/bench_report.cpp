@@ -92,10 +92,25 @@ std::string failures_of(const BenchResult& result) {
   return text.empty() ? text : "\nFailed (the first of each):\n" + text;
 }
 
+/// "3 of 8 cells", with draws that a limit left out; none where there is none.
+std::vector<StageDone> cells_left_out(const BenchResult& result) {
+  if (result.complete()) return {};
+  const auto cut = std::count_if(result.cells.begin(), result.cells.end(),
+                                 [](const BenchCell& cell) { return !cell.done; });
+  return {{std::to_string(cut) + " of " + std::to_string(result.cells.size()) + " cells", false,
+           kTimeIsUp}};
+}
+
 }  // namespace
+
+Admission admission_of(const BenchResult& result) {
+  return admit({.claim = Claim::Fits, .stages = cells_left_out(result)});
+}
 
 std::string format_text(const BenchResult& result) {
   std::string text;
+  if (const Admission cut = admission_of(result); !cut.stands())
+    text = "Incomplete: " + cut.why + "; " + cut.remedy + ".\n\n";
   for (std::size_t level = 0; level < result.noise.size(); ++level)
     text += (level > 0 ? "\n" : "") + std::string("Noise ") +
             format_number(100.0 * result.noise[level]) + " % of each state:\n" +

@@ -26,7 +26,17 @@ bool ComparisonReport::agree() const {
          std::any_of(measures.begin(), measures.end(), is(true));
 }
 
+Admission ComparisonReport::admission() const {
+  VerdictBasis basis;
+  for (const AttractorMeasure& measure : measures) {
+    if (measure.agree == false) return {};
+    if (measure.left_out) basis.stages.push_back({measure.name, false, kTimeIsUp});
+  }
+  return admit(basis);
+}
+
 std::string format_text(const ComparisonReport& report) {
+  const Admission admission = report.admission();
   std::vector<std::vector<std::string>> rows{{"measure", report.first, report.second, ""}};
   for (const AttractorMeasure& measure : report.measures) {
     const bool known = measure.agree.has_value();
@@ -38,9 +48,11 @@ std::string format_text(const ComparisonReport& report) {
   const bool judged =
       std::any_of(report.measures.begin(), report.measures.end(),
                   [](const AttractorMeasure& measure) { return measure.agree.has_value(); });
-  const std::string verdict = report.agree() ? "They agree: one attractor as far as these show."
-                              : judged       ? "They do not agree in all measures."
-                                             : "Undecided: no measure could be judged.";
+  const std::string verdict =
+      !admission.stands() ? "Incomplete: " + admission.why + "; " + admission.remedy + "."
+      : report.agree()    ? "They agree: one attractor as far as these show."
+      : judged            ? "They do not agree in all measures."
+                          : "Undecided: no measure could be judged.";
   std::string text =
       verdict + "\n\n" + text_table(rows) +
       "\nNumbers are means of five blocks +- 95 %. Spectrum and density are Hellinger's "
@@ -55,6 +67,7 @@ std::string format_json(const ComparisonReport& report) {
             {"first", report.first},
             {"second", report.second},
             {"agree", report.agree()},
+            {"incomplete", !report.admission().stands()},
             {"measures", Json::array()}};
   for (const AttractorMeasure& m : report.measures)
     json["measures"].push_back(

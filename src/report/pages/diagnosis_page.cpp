@@ -42,7 +42,8 @@ std::vector<Fact> facts_of(const Diagnosis& diagnosis) {
         {"Gap after", percent(gap.after), "noise alone: " + percent(gap.noise_floor)});
   }
   for (const NamedEffect& effect : diagnosis.effects)
-    facts.push_back({effect.name, format_number(effect.sigma, 3) + " sigma",
+    facts.push_back({(diagnosis.admission.stands() ? "" : "Candidate: ") + effect.name,
+                     format_number(effect.sigma, 3) + " sigma",
                      "probability " + percent(effect.probability) + ", explains " +
                          percent(effect.gap_closed)});
   if (!diagnosis.remaining.equations.empty())

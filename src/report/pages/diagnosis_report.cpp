@@ -109,6 +109,16 @@ Json to_json(const Diagnosis& diagnosis, const NamedEffect& effect) {
   return json;
 }
 
+/// As effects, none of them claimed.
+Json minor_json(const Diagnosis& diagnosis) {
+  Json list = Json::array();
+  for (const NamedEffect& effect : diagnosis.minor_effects) {
+    list.push_back(to_json(diagnosis, effect));
+    list.back()["claim"] = false;
+  }
+  return list;
+}
+
 Json changes_json(const Diagnosis& diagnosis) {
   Json list = Json::array();
   for (const CoefficientChange& change : diagnosis.coefficient_changes) {
@@ -242,6 +252,7 @@ std::string format_json(const Diagnosis& diagnosis, const SystemModel& augmented
             {"effects", Json::array()}};
   for (const NamedEffect& effect : diagnosis.effects)
     json["effects"].push_back(to_json(diagnosis, effect));
+  json["minor_effects"] = minor_json(diagnosis);
   json["coefficient_changes"] = changes_json(diagnosis);
   json["combined_change"] = combined_json(diagnosis);
   json["adequacy"] = adequacy_json(diagnosis.adequacy);

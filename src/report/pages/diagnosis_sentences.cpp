@@ -35,13 +35,6 @@ std::string fraction_of(double fraction) {
   return fraction < kHardlyAny ? "less than 0.1 %" : percent(fraction);
 }
 
-/// Whether an effect stands beside others that explain what there is to explain.
-bool is_minor(const Diagnosis& diagnosis, const NamedEffect& effect) {
-  const auto explains = [](const NamedEffect& one) { return one.gap_closed >= kHardlyAny; };
-  return !explains(effect) &&
-         std::any_of(diagnosis.effects.begin(), diagnosis.effects.end(), explains);
-}
-
 /// A number of a formula for people: a parameter to the digits that its error allows.
 std::string readable_number(const std::string& text,
                             const std::vector<NamedParameter>& parameters) {
@@ -125,7 +118,9 @@ void report_effect(const Diagnosis& diagnosis, const NamedEffect& effect, Senten
   const bool acts = effect.place == Place::Rate;
   const std::string unit = acts ? rate_unit_of(diagnosis, effect.equation)
                                 : state_of(diagnosis, effect.equation).unit;
-  out.push_back((acts ? "Equation " : "Channel ") + state_name(diagnosis, effect.equation) +
+  out.push_back((diagnosis.admission.stands() ? "" : "A candidate, no finding. ") +
+                std::string(acts ? "Equation " : "Channel ") +
+                state_name(diagnosis, effect.equation) +
                 ": " + effect.description + " (" + effect.name + "), " +
                 with_error(effect.coefficient, kNormalQuantile975 * effect.deviation) +
                 (unit.empty() ? "" : " " + unit) + " * " +
@@ -144,17 +139,20 @@ void report_effect(const Diagnosis& diagnosis, const NamedEffect& effect, Senten
 void report_changes(const Diagnosis& diagnosis, Sentences& out) {
   // For people.
   constexpr int kMostChanges = 4;
-  int written = 0;
+  int off = 0;
   for (const CoefficientChange& change : diagnosis.coefficient_changes) {
-    if (change.sigma < kSignificant || written == kMostChanges) break;
+    if (change.sigma < kSignificant) break;
     if (std::abs(change.estimated - change.nominal) < 1e-3 * std::abs(change.nominal)) continue;
-    ++written;
+    if (++off > kMostChanges) continue;
     out.push_back("Equation " + state_name(diagnosis, change.equation) +
                   ": the coefficient of " + readable_formula(change.term, {}) + " is " +
                   with_error(change.estimated, kNormalQuantile975 * change.deviation) +
                   ", not " + format_number(change.nominal, 6) + " (" +
                   format_number(change.sigma, 3) + " sigma).");
   }
+  if (off > kMostChanges)
+    out.push_back("And " + std::to_string(off - kMostChanges) +
+                  " more (--json has all of them, and --explain the model).");
 }
 
 /// Two coefficients that are off together.
@@ -254,13 +252,12 @@ DiagnosisSentences sentences_of(const Diagnosis& diagnosis) {
   DiagnosisSentences all;
   for (const Hint& hint : diagnosis.hints) all.hints.push_back(hint_sentence(hint));
   all.headline = headline(diagnosis);
-  for (const NamedEffect& effect : diagnosis.effects) {
+  for (const NamedEffect& effect : diagnosis.effects)
+    report_effect(diagnosis, effect, all.findings);
+  for (const NamedEffect& effect : diagnosis.minor_effects) {
     Sentences said;
     report_effect(diagnosis, effect, said);
-    if (is_minor(diagnosis, effect))
-      all.notes.push_back(said.front());  // whatever else it might be
-    else
-      all.findings.insert(all.findings.end(), said.begin(), said.end());
+    all.notes.push_back(said.front());  // whatever else it might be
   }
   if (diagnosis.verdict == Verdict::CoefficientsOnly || !diagnosis.effects.empty())
     report_changes(diagnosis, all.findings);

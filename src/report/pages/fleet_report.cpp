@@ -65,10 +65,11 @@ FleetAnswer fleet_answer(const std::string& record, const Diagnosis& diagnosis) 
                      .headline = sentences_of(diagnosis).headline,
                      .verdict = to_string(diagnosis.verdict),
                      .diagnosis = format_json(diagnosis)};
-  for (const NamedEffect& effect : diagnosis.effects)
-    answer.effects.push_back(
-        effect.name + " in " +
-        diagnosis.nominal.states()[static_cast<std::size_t>(effect.equation)].name);
+  if (diagnosis.admission.stands())  // without a verdict effects are candidates, no findings
+    for (const NamedEffect& effect : diagnosis.effects)
+      answer.effects.push_back(
+          effect.name + " in " +
+          diagnosis.nominal.states()[static_cast<std::size_t>(effect.equation)].name);
   const auto& gap = diagnosis.gap;
   if (gap && std::isfinite(gap->before) && std::isfinite(gap->after))
     answer.gap = {gap->before, gap->after};

@@ -6,6 +6,7 @@
 #include "core/base/json.hpp"
 #include "core/base/text.hpp"
 #include "report/json/adequacy_json.hpp"
+#include "report/json/stages_json.hpp"
 #include "report/json/sync_json.hpp"
 
 namespace lacuna {
@@ -66,6 +67,7 @@ std::string format_json(const SyncReport& report) {
   nlohmann::ordered_json json;
   json["format"] = "lacuna.sync/1";
   json.update(sync_to_json(report));
+  json["stages"] = stages_json(report.result.stages);
   return json_lines(json);
 }
 

@@ -4,10 +4,14 @@
 #include <string>
 #include <vector>
 
+#include "lacuna/core/base/admission.hpp"
 #include "lacuna/report/plans/plan_report.hpp"
 #include "report/pages/page.hpp"
 
 namespace lacuna {
+
+/// Whether that may be said: a search that a limit cut could have found a better plan.
+Admission admission_of(const Plan& plan);
 
 /// What a plan is worth, in a sentence.
 std::string verdict_of(const PlanReport& report);

@@ -8,6 +8,7 @@
 #include "core/base/text.hpp"
 #include "lacuna/core/statistics/interval.hpp"
 #include "plan_parts.hpp"
+#include "report/json/stages_json.hpp"
 
 namespace lacuna {
 namespace {
@@ -115,7 +116,8 @@ std::string format_json(const PlanReport& report) {
               {"designs", plan.evaluations},
               {"simulations", plan.simulations},
               {"time_saved", finite_or_null(plan.time_saved)}}},
-            {"runs", Json::array()}};
+            {"runs", Json::array()},
+            {"stages", stages_json(plan.stages)}};
   for (const PlannedRun& run : plan.runs)
     json["runs"].push_back(run_json(report.problem, run));
   return json_lines(json);

@@ -59,8 +59,14 @@ std::string parameters_sentence(const Plan& plan) {
 
 }  // namespace
 
+Admission admission_of(const Plan& plan) {
+  return admit({.claim = Claim::Fits, .stages = plan.stages});
+}
+
 std::string verdict_of(const PlanReport& report) {
   const Plan& plan = report.plan;
+  if (const Admission open = admission_of(plan); !open.stands())
+    return "Incomplete: " + open.why + "; " + open.remedy + ".";
   if (!plan.is_feasible) return "Infeasible: " + plan.reasons.back() + ".";
   const bool numbers = plan.pairs.empty() || report.options.aim == PlanAim::Parameters;
   return numbers ? parameters_sentence(plan) : pairs_sentence(report);

@@ -3,10 +3,14 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
+#include <cmath>
+#include <limits>
 
 #include "core/base/parallel.hpp"
 #include "core/base/random.hpp"
 #include "forms/candidate/shape_search.hpp"
+#include "lacuna/core/base/error.hpp"
 
 namespace lacuna {
 namespace {
@@ -33,17 +37,25 @@ std::vector<ScoredDesign> candidates_of(const std::vector<Index>& sizes, int cou
   return candidates;
 }
 
-void score_all(std::vector<ScoredDesign>& designs, const std::function<Score()>& make_score,
+constexpr double kUnscored = -std::numeric_limits<double>::infinity();
+
+/// @return whether all were scored before the deadline; others are kUnscored.
+bool score_all(std::vector<ScoredDesign>& designs, const std::function<Score()>& make_score,
                const RunContext& context) {
   constexpr std::size_t kLane = 16;  // designs that share a scorer
+  std::atomic<bool> in_time{true};
+  for (ScoredDesign& one : designs) one.score = kUnscored;
   const std::size_t lanes = (designs.size() + kLane - 1) / kLane;
   parallel_for(lanes, context.threads, [&](std::size_t lane) {
     const Score score = make_score();
     for (std::size_t i = lane * kLane; i < std::min(designs.size(), (lane + 1) * kLane); ++i) {
+      if (context.is_late()) in_time = false;
+      if (!in_time) return;
       context.check_stop();
       designs[i].score = score(designs[i].space, designs[i].design);
     }
   });
+  return in_time;
 }
 
 void sort_by_score(std::vector<ScoredDesign>& designs) {
@@ -84,6 +96,26 @@ ScoredDesign improved(ScoredDesign start, const Score& score, int evaluations) {
   return best;
 }
 
+/// The same; past the deadline the best one on the way.
+/// @return whether the search came to its end.
+bool improve(ScoredDesign& design, const Score& score, int evaluations,
+             const RunContext& context) {
+  ScoredDesign best = design;
+  const Score watched = [&](std::size_t space, const Vector& other) {
+    context.check_stop();
+    const double value = score(space, other);
+    if (value > best.score) best = {space, other, value};
+    return value;
+  };
+  try {
+    design = improved(std::move(design), watched, evaluations);
+  } catch (const OutOfTime&) {
+    design = std::move(best);
+    return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 ScoredDesign exchanged(ScoredDesign start, const Score& score, int evaluations) {
@@ -106,27 +138,24 @@ ScoredDesign exchanged(ScoredDesign start, const Score& score, int evaluations) 
   return start;
 }
 
-std::vector<ScoredDesign> best_designs(const std::vector<Index>& sizes,
-                                       const std::function<Score()>& make_score,
-                                       const std::vector<ScoredDesign>& known,
-                                       const DesignSearch& search, const RunContext& context) {
+SearchedDesigns best_designs(const std::vector<Index>& sizes,
+                             const std::function<Score()>& make_score,
+                             const std::vector<ScoredDesign>& known, const DesignSearch& search,
+                             const RunContext& context) {
   context.report("judging designs", 0.0);
   std::vector<ScoredDesign> all = candidates_of(sizes, search.candidates, context.seed);
   all.insert(all.end(), known.begin(), known.end());
-  score_all(all, make_score, context);
-  std::vector<ScoredDesign> best =
-      chosen(std::move(all), sizes.size(), static_cast<std::size_t>(search.searches));
-  context.report("improving designs", 0.3);
-  parallel_for(best.size(), context.threads, [&](std::size_t i) {
-    const Score score = make_score();
-    const Score watched = [&](std::size_t space, const Vector& design) {
-      context.check_stop();
-      return score(space, design);
-    };
-    best[i] = improved(std::move(best[i]), watched, search.evaluations);
+  std::atomic<bool> in_time{score_all(all, make_score, context)};
+  SearchedDesigns found;
+  found.best = chosen(std::move(all), sizes.size(), static_cast<std::size_t>(search.searches));
+  if (!in_time && !std::isfinite(found.best.front().score)) throw OutOfTime();
+  if (in_time) context.unhurried().report("improving designs", 0.3);
+  parallel_for(in_time ? found.best.size() : 0, context.threads, [&](std::size_t i) {
+    if (!improve(found.best[i], make_score(), search.evaluations, context)) in_time = false;
   });
-  sort_by_score(best);
-  return best;
+  sort_by_score(found.best);
+  found.in_time = in_time;
+  return found;
 }
 
 }  // namespace lacuna

@@ -27,14 +27,21 @@ struct DesignSearch {
   int evaluations = 150;  ///< most of each search
 };
 
+/// What a search has found.
+struct SearchedDesigns {
+  std::vector<ScoredDesign> best;  ///< the best first, not empty
+  bool in_time = true;             ///< false: those of a search that the deadline ended
+};
+
 /// The best designs, the best first: as many as searches. Candidates are seeded: half of them
 /// uniform, half of them with most numbers at an end of their range, for many best designs
 /// change between ends. The result does not depend on the number of threads.
 /// @param sizes of the spaces; @param known designs that are improved beside the candidates.
-std::vector<ScoredDesign> best_designs(const std::vector<Index>& sizes,
-                                       const std::function<Score()>& make_score,
-                                       const std::vector<ScoredDesign>& known,
-                                       const DesignSearch& search, const RunContext& context);
+/// @throws OutOfTime where the deadline passes before a design with a finite score.
+SearchedDesigns best_designs(const std::vector<Index>& sizes,
+                             const std::function<Score()>& make_score,
+                             const std::vector<ScoredDesign>& known, const DesignSearch& search,
+                             const RunContext& context);
 
 /// The design with each number in turn at the ends and in the middle of its range, as long as
 /// that is better (Meyer and Nachtsheim, Technometrics 37:60-69, 1995).

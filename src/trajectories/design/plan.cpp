@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <cmath>
 #include <limits>
 #include <set>
@@ -142,6 +143,7 @@ struct Planning {
   std::vector<Index> sizes;
   Index evaluations = 0;  ///< so far
   Index simulations = 0;
+  bool in_time = true;  ///< whether all searches so far came to their ends
 };
 
 /// Paths and linearisations that one design takes; the latter count as the model with one
@@ -180,17 +182,18 @@ std::vector<ScoredDesign> search(Planning& planning, const Rivals& rivals,
       return score_of(planning.terms, own, evidence);
     };
   };
-  std::vector<ScoredDesign> best =
+  SearchedDesigns found =
       best_designs(planning.sizes, make_score, known,
                    {planning.options.candidates, planning.options.searches,
                     planning.options.evaluations},
                    context);
+  planning.in_time = planning.in_time && found.in_time;
   planning.evaluations += evaluations;
   std::size_t paths = 0;
   if (!problem.safe.empty())
     for (const auto& own : scenarios) paths += 1 + own.size();
   planning.simulations += evaluations * simulations_of(rivals, with_pairs, paths);
-  return best;
+  return std::move(found.best);
 }
 
 /// A design with the fraction of draws in which it leaves a safe range.
@@ -199,8 +202,16 @@ struct SafeDesign {
   double leaves = 0.0;
 };
 
+/// For the check of a design and its expected results: a second beyond the deadline, within which
+/// a run ends.
+RunContext with_grace(RunContext context) {
+  constexpr std::chrono::seconds kGrace{1};
+  if (context.deadline) *context.deadline += kGrace;
+  return context;
+}
+
 /// The best design that keeps the safe ranges: searched again with draws that left them, which
-/// must not, until few enough do.
+/// must not, until few enough do, or the deadline has passed.
 SafeDesign safe_search(Planning& planning, const Rivals& rivals, const DesignEvidence& earlier,
                        const RunContext& context) {
   constexpr int kRounds = 6;
@@ -211,17 +222,17 @@ SafeDesign safe_search(Planning& planning, const Rivals& rivals, const DesignEvi
   for (int round = 0; round < kRounds; ++round) {
     known = search(planning, rivals, earlier, scenarios, known, context);
     if (planning.problem.safe.empty()) return {known.front(), 0.0};
-    context.report("checking the safe ranges", 0.8);
+    context.unhurried().report("checking the safe ranges", 0.8);
     const Experiment experiment =
         experiment_of(planning.problem, planning.spaces[known.front().space],
                       known.front().design);
     const SafetyCheck check =
         check_safety(rivals, experiment, planning.problem.safe,
-                     planning.options.safety_draws, allowed, context);
+                     planning.options.safety_draws, allowed, with_grace(context));
     planning.simulations +=
         static_cast<Index>(rivals.runs.size()) * planning.options.safety_draws;
     if (round == 0 || check.leaves < best.leaves) best = {known.front(), check.leaves};
-    if (check.leaves <= allowed) return {known.front(), check.leaves};
+    if (check.leaves <= allowed || !planning.in_time) return best;
     for (std::size_t i = 0; i < scenarios.size(); ++i)
       scenarios[i].insert(scenarios[i].end(), check.offending[i].begin(),
                           check.offending[i].end());
@@ -240,6 +251,37 @@ DesignEvidence evidence_of_made(const PlanProblem& problem, int runs, Rivals& ri
   }
   if (problem.made.empty() || !made.is_finite) return {};
   return repeated(std::move(made), runs * problem.duration / duration);
+}
+
+/// The search for the next run, which the stages of the plan have then; nothing where the deadline
+/// has left it out. @throws OutOfTime where that leaves no run.
+std::optional<SafeDesign> next_design(Planning& planning, const Rivals& rivals,
+                                      const DesignEvidence& earlier, const RunContext& context,
+                                      Plan& plan) {
+  const std::string name = "designs of run " + std::to_string(plan.stages.size() + 1);
+  std::optional<SafeDesign> best;
+  run_stage(plan.stages, name.c_str(), [&] {
+    if (!planning.in_time) throw OutOfTime();
+    best = safe_search(planning, rivals, earlier, context);
+  });
+  if (!best && plan.runs.empty()) throw OutOfTime();
+  if (!planning.in_time) plan.stages.back() = {name, false, kTimeIsUp};
+  return best;
+}
+
+/// What the runs of a plan are expected to bring.
+void add_promises(const Planning& planning, Rivals& rivals,
+                  const std::vector<Experiment>& experiments, Expected& expected,
+                  const RunContext& context, Plan& plan) {
+  const PlanProblem& problem = planning.problem;
+  context.report("expected results", 0.9);
+  const bool with_pairs = rivals.runs.size() > 1;
+  expected.made = evidence_of_made(problem, static_cast<int>(plan.runs.size()), rivals, with_pairs);
+  if (with_pairs)
+    plan.pairs = pair_promises(problem, rivals, expected, experiments, planning.options.decisive,
+                               context);
+  plan.parameters = parameter_promises(problem, rivals, expected, experiments, context);
+  plan.time_saved = time_saved(planning.terms, rivals, expected);
 }
 
 void check_made(const PlanProblem& problem) {
@@ -283,24 +325,20 @@ Plan plan_experiment(const PlanProblem& problem, const PlanOptions& options,
   for (int r = 0; r < options.runs; ++r) {
     RunContext own = context;
     own.seed = context.seed + static_cast<std::uint64_t>(r);
-    SafeDesign best = safe_search(planning, rivals, expected.planned, own);
-    const DesignSpace& space = planning.spaces[best.design.space];
-    best.design.design = rounded(best.design.design);
-    experiments.push_back(experiment_of(problem, space, best.design.design));
+    std::optional<SafeDesign> best = next_design(planning, rivals, expected.planned, own, plan);
+    if (!best) continue;
+    const DesignSpace& space = planning.spaces[best->design.space];
+    best->design.design = rounded(best->design.design);
+    experiments.push_back(experiment_of(problem, space, best->design.design));
     expected.planned += evidence_of(rivals, experiments.back(), with_pairs);
     plan.runs.push_back({experiments.back(), space.families,
                          responses_in(problem, rivals, experiments.back(), own.seed),
-                         best.leaves});
+                         best->leaves});
   }
   if (!expected.planned.is_finite)
     throw ArgumentError(kHere, "no model has a path that stays finite in any design",
                         "narrow the ranges of the inputs or the time of a run");
-  context.report("expected results", 0.9);
-  expected.made = evidence_of_made(problem, options.runs, rivals, with_pairs);
-  if (with_pairs)
-    plan.pairs = pair_promises(problem, rivals, expected, experiments, options.decisive, context);
-  plan.parameters = parameter_promises(problem, rivals, expected, experiments, context);
-  plan.time_saved = time_saved(planning.terms, rivals, expected);
+  add_promises(planning, rivals, experiments, expected, with_grace(context), plan);
   plan.evaluations = planning.evaluations;
   plan.simulations = planning.simulations;
   judge(plan, planning.terms, options);

@@ -137,7 +137,7 @@ FitEstimate estimate(const SystemModel& system, FitEngine& engine,
                   .spread = options.spread,
                   .only_given = options.effort == Thoroughness::Quick,
                   .rough = options.rough,
-                  .range_starts = options.starts.value_or(usual_range_starts(engine)),
+                  .range_starts = range_starts(engine, options),
                   .always_ranges = options.starts.has_value()},
                  context);
   if (!std::isfinite(search.best.path.cost)) throw_no_run();

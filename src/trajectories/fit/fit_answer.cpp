@@ -166,6 +166,20 @@ double total_of(const std::vector<FitRun>& runs) {
   return total;
 }
 
+std::string searches_sentence(int starts, int agreeing) {
+  if (agreeing >= starts)
+    return "all " + std::to_string(starts) + " searches, from different starts, came to this fit";
+  const std::string others = starts - agreeing == 1
+                                 ? "the other one"
+                                 : "the other " + std::to_string(starts - agreeing);
+  if (agreeing > 1)
+    return std::to_string(agreeing) + " of " + std::to_string(starts) +
+           " searches, from different starts, came to this fit, " + others + " to worse ones";
+  return "one of " + std::to_string(starts) + " searches, from different starts, came to this " +
+         "fit, the best, and " + others + " to worse ones: another start may come to a better " +
+         "one (--starts 60)";
+}
+
 std::vector<std::string> notes_of(const Fit& fit) {
   std::vector<std::string> notes;
   if (!fit.converged)
@@ -175,9 +189,7 @@ std::vector<std::string> notes_of(const Fit& fit) {
       notes.push_back(number.name + " ended at the " + *number.bound + " of its range");
   for (const FitQuality& quality : fit.quality)
     if (const std::string note = note_of(quality, fit); !note.empty()) notes.push_back(note);
-  if (fit.starts > 1)
-    notes.push_back(std::to_string(fit.agreeing) + " of " + std::to_string(fit.starts) +
-                    " searches came to the same numbers");
+  if (fit.starts > 1) notes.push_back(searches_sentence(fit.starts, fit.agreeing));
   if (const std::string line = left_out_line(fit.stages); !line.empty()) notes.push_back(line);
   return notes;
 }

@@ -86,8 +86,9 @@ RunContext with_last_second(const RunContext& context) {
   return last;
 }
 
-int usual_range_starts(const FitEngine& engine) {
-  return is_cheap(engine) ? kRangeStarts : kRangeStartsOfMany;
+int range_starts(const FitEngine& engine, const FitOptions& options) {
+  return options.starts.value_or(is_cheap(engine) ? options.range_starts
+                                                  : options.range_starts_of_many);
 }
 
 FitMinimum reweighted(FitEngine& engine, const FitUnknowns& unknowns, FitMinimum found,

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "fit_solver.hpp"
+#include "lacuna/trajectories/fit/fit.hpp"
 
 namespace lacuna {
 
@@ -54,8 +55,8 @@ FitSearch search_fit(FitEngine& engine, const FitUnknowns& unknowns, const FitPo
 /// The context for what belongs to an answer whose search a deadline ended: a second more.
 RunContext with_last_second(const RunContext& context);
 
-/// Starts over the ranges where no number is given: fewer where each takes long.
-int usual_range_starts(const FitEngine& engine);
+/// Starts over the ranges, as they are asked for; else fewer where each takes long.
+int range_starts(const FitEngine& engine, const FitOptions& options);
 
 /// Steps so fine that halving them changes the residuals by little beside their deviations:
 /// `small` in all samples together. Implicit steps choose themselves.

@@ -1,19 +1,23 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/solvers/best_subset.hpp"
-
+// The best subset, and what many draws of rows agree on.
 #include <gtest/gtest.h>
 
 #include <chrono>
+#include <cmath>
 #include <limits>
+#include <map>
 
+#include "lacuna/solvers/best_subset.hpp"
+#include "lacuna/solvers/ensemble.hpp"
+#include "solvers/subset_fit.hpp"
 #include "support/sparse_problem.hpp"
 #include "unit/solvers/random_rows.hpp"
 
 namespace lacuna {
 namespace {
 
-using testing::random_rows;
 using testing::RandomRows;
+using testing::random_rows;
 
 double score_of(const RandomRows& data, const std::vector<Index>& terms, double penalty) {
   const auto n = static_cast<double>(data.y.size());
@@ -33,6 +37,18 @@ double least_of_all(const RandomRows& data, Index most, double penalty) {
       least = std::min(least, score_of(data, terms, penalty));
   }
   return least;
+}
+
+TEST(SubsetScore, IsThatOfSchwarz) {
+  Random random(3);
+  const RandomRows data = random_rows(50, 3, 2, 0.5, random);
+  const LeastSquaresSystem system = data.system();
+  const SubsetScore score(system.subproblem(0, system.all_terms()), 1.5);
+  const double y = data.y.norm();
+  EXPECT_NEAR(score(0.1 * y, 3), 100.0 * std::log(0.1) + 4.5 * std::log(50.0), 1e-9);
+  EXPECT_EQ(score(1e-14 * y, 3), score(1e-13 * y, 3));
+  const double r = 0.4 * y, gain = score.least_gain(r);
+  EXPECT_NEAR(score(std::sqrt(r * r - gain), 4), score(r, 3), 1e-9);
 }
 
 TEST(BestSubset, IsTheBestOfAllSets) {
@@ -99,6 +115,78 @@ TEST(BestSubset, TermsLeftOutHaveTheScoreTheyWouldBring) {
     EXPECT_NEAR(gone.value, 2.0 * n * std::log(residual / y) + 4.0 * std::log(n), 1e-6);
     EXPECT_GT(gone.value, gone.threshold);
   }
+}
+
+Regression fit_with(const LeastSquaresSystem& system, EnsembleOptions options,
+                    std::uint64_t seed = 1) {
+  RunContext context;
+  context.seed = seed;
+  return Ensemble(options).fit(system, system.subproblem(0, system.all_terms()), Effort::Final,
+                               context);
+}
+
+std::map<Index, double> probabilities(const Regression& fit) {
+  std::map<Index, double> values;
+  for (const Removal& gone : fit.removed) values[gone.term] = gone.value;
+  return values;
+}
+
+TEST(Ensemble, FindsTheTermsWithTheCoefficientsOfAllRows) {
+  const LeastSquaresSystem system = testing::sparse_problem(400, 0.3, 0.0);
+  for (const int left_out : {0, 3}) {
+    EnsembleOptions options;
+    options.threshold = 0.05;
+    options.left_out = left_out;
+    options.inclusion = 0.95;  // of the resamples that offered the term
+    const Regression fit = fit_with(system, options);
+    ASSERT_EQ(fit.active, (TermSet{1, 4, 7})) << left_out;
+    EXPECT_TRUE(fit.coefficients.isApprox(system.subproblem(0, {1, 4, 7}).solve(), 1e-10));
+  }
+}
+
+TEST(Ensemble, ProbabilitiesAreFractionsOfTheResamples) {
+  const LeastSquaresSystem system = testing::sparse_problem(100, 3.0, 0.0);
+  EnsembleOptions options;
+  options.bags = 8;
+  options.threshold = 0.1;
+  options.inclusion = 1.0;
+  const auto values = probabilities(fit_with(system, options));
+  ASSERT_GE(values.size(), 3u);
+  bool between = false;
+  for (const auto& [term, p] : values) {
+    EXPECT_EQ(8.0 * p, std::round(8.0 * p)) << term;
+    EXPECT_LT(p, 1.0);
+    between = between || p > 0.0;
+  }
+  EXPECT_TRUE(between);
+}
+
+TEST(Ensemble, TheSeedDecides) {
+  const LeastSquaresSystem system = testing::sparse_problem(100, 3.0, 0.0);
+  EnsembleOptions options;
+  options.threshold = 0.1;
+  options.inclusion = 1.0;
+  EXPECT_EQ(probabilities(fit_with(system, options, 5)),
+            probabilities(fit_with(system, options, 5)));
+  EXPECT_NE(probabilities(fit_with(system, options, 5)),
+            probabilities(fit_with(system, options, 6)));
+}
+
+TEST(Ensemble, OneBagOfOneKindOfRowsIsThresholdedLeastSquares) {
+  // Blocks that are all alike: every resample is the record itself.
+  Random random(3);
+  Matrix theta(50, 4);
+  for (double& entry : theta.reshaped()) entry = random.normal();
+  const Vector y = 2.0 * theta.col(0) + 0.04 * theta.col(2);
+  const LeastSquaresSystem system(make_row_source(theta.replicate(4, 1), y.replicate(4, 1)),
+                                  {"a", "b", "c", "d"}, {"y"});
+  EnsembleOptions options;
+  options.blocks = 4;
+  options.bags = 3;
+  options.threshold = 0.01;
+  EXPECT_EQ(fit_with(system, options).active, (TermSet{0, 2}));
+  options.threshold = 0.04;
+  EXPECT_EQ(fit_with(system, options).active, (TermSet{0}));
 }
 
 }  // namespace

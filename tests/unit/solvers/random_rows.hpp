@@ -3,7 +3,6 @@
 #pragma once
 
 #include <Eigen/QR>
-#include <cmath>
 #include <string>
 #include <vector>
 

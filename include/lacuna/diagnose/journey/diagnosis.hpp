@@ -87,7 +87,7 @@ struct Diagnosis {
   std::vector<CoefficientChange> coefficient_changes;
   std::optional<Gap> gap;
   Remaining remaining;
-  OdeModel augmented;  ///< nominal model with fitted coefficients and effects
+  OdeModel augmented;  ///< nominal model with fitted coefficients and all effects of the fit
   NoiseModel noise;
   std::vector<Round> rounds;
   std::vector<Rival> rivals;  ///< every composite model that was judged, in order
@@ -103,6 +103,10 @@ struct Diagnosis {
   std::vector<SmallestEffect> smallest_effects = {};  ///< with the verdict Undetermined
   std::vector<Twin> twins = {};  ///< what explains the records as well as the effects
   std::vector<std::string> reservations = {};  ///< what else is against them, a phrase each
+  /// Effects of the fit that each explain less than DecisionOptions::effect_size of the
+  /// disagreement, beside `effects` that explain more: no part of what is named, and in
+  /// `augmented`, which would be another fit without them.
+  std::vector<NamedEffect> minor_effects = {};
 };
 
 }  // namespace lacuna

@@ -44,6 +44,8 @@ struct Gap {
   /// Of one run over each record as a whole; nothing where the models do not foretell
   /// themselves for the length of a window.
   std::optional<RunApart> free_before = {}, free_after = {};
+  /// The floor without noise that has a memory, and `above_floor` of it.
+  double white_floor = 0.0, above_white_floor = 0.0;
 
   /// after / before.
   double ratio() const noexcept { return before > 0.0 ? after / before : 1.0; }

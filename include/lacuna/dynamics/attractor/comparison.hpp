@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "lacuna/core/base/run_context.hpp"
 #include "lacuna/data/records/dataset.hpp"
 
 namespace lacuna {
@@ -17,6 +18,7 @@ struct AttractorMeasure {
   double first_half = 0.0, second_half = 0.0;  ///< of their 95 % intervals
   std::optional<bool> agree = {};              ///< nothing where it cannot be judged
   std::string note = {};                       ///< why not
+  bool left_out = false;                       ///< the deadline came first
 };
 
 /// Compares two records of one system as orbits of one attractor. Every record is cut into five
@@ -27,7 +29,9 @@ struct AttractorMeasure {
 /// - spectra and densities (Hellinger's distances) agree where blocks of different records are
 ///   no farther apart than blocks of one record, as far as their scatter shows.
 /// @throws ArgumentError when the states differ or records are too short for blocks; DataError
-///   as check_number_range().
-std::vector<AttractorMeasure> compare_attractors(const Dataset& a, const Dataset& b);
+///   as check_number_range(); OutOfTime where the deadline passes before the extents, else it
+///   leaves measures out; Cancelled.
+std::vector<AttractorMeasure> compare_attractors(const Dataset& a, const Dataset& b,
+                                                 const RunContext& context = {});
 
 }  // namespace lacuna

@@ -42,6 +42,7 @@ struct BenchCell {
   double noise = 0.0;
   std::vector<BenchScore> scores;
   std::vector<std::string> failures;  ///< of draws that gave no model: what was wrong
+  bool done = true;  ///< false: the deadline came before its last draw
 };
 
 /// Cells by composition, then by noise.
@@ -51,6 +52,9 @@ struct BenchResult {
   std::vector<double> noise;
   std::vector<BenchCell> cells;
   bool truth_known = false;
+
+  /// Whether no deadline left out a draw.
+  bool complete() const;
 
   /// The cell of a composition and an entry of `noise`. @throws ArgumentError when there is none.
   const BenchCell& cell(std::size_t composition, std::size_t level) const;
@@ -70,7 +74,8 @@ BenchSummary summary_of(const BenchCell& cell);
 Dataset with_relative_noise(Dataset data, double fraction, std::uint64_t seed);
 
 /// One identification of noisy data, its model driven by the clean ones (RK4).
-/// @throws what identify() throws; ArgumentError when the truth has other states than the data.
+/// @throws what identify() throws; ArgumentError when the truth has other states than the data;
+///   OutOfTime past the deadline: what it cuts is no score.
 BenchScore bench_score(const Pipeline& pipeline, const Dataset& noisy, const Dataset& clean,
                        const std::optional<OdeModel>& truth, const RunContext& context = {});
 
@@ -78,7 +83,8 @@ BenchScore bench_score(const Pipeline& pipeline, const Dataset& noisy, const Dat
 /// on. Draw d has the seed context.seed + d, the same for all compositions; data without noise
 /// have one draw. Progress counts cells.
 /// @throws ArgumentError for no compositions, parts that do not fit the kinds, noise that is
-///   negative or no draws; DataError as check_dataset(); Cancelled on a stop request.
+///   negative or no draws; DataError as check_dataset(); Cancelled on a stop request; OutOfTime
+///   where the deadline passes before the first score, else it leaves draws out.
 BenchResult bench(const BenchTask& task, const RunContext& context = {});
 
 }  // namespace lacuna

@@ -37,6 +37,9 @@ struct SyncVerdictOptions {
   void describe(OptionVisitor& visitor);
 };
 
+/// Whether a verdict on a synchronisation may be given: not where a limit left out a stage.
+Admission admission_of(const SyncResult& result);
+
 /// Judges a synchronisation by the noise of the record: a slave of a complete model is off by
 /// the noise or less.
 ///
@@ -54,6 +57,7 @@ struct SyncVerdictOptions {
 /// - Else the equation is named to which the coupling has to add the largest part of its own
 ///   rate, beyond what the noise makes; one that is an identity (dq/dt = v) is none.
 ///   With hidden states none is named: what one lacks, the coupling adds to another.
+/// - Where a limit left out a stage of the synchronisation there is no verdict.
 /// - Where nothing measured moves there is no verdict; nor is there one on an integration that
 ///   could not go on (StepTooSmall).
 /// - Nor does an error show anything in fewer samples than ValidationOptions::least_freedom, or

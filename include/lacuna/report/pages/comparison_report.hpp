@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "lacuna/core/base/admission.hpp"
 #include "lacuna/dynamics/attractor/comparison.hpp"
 
 namespace lacuna {
@@ -16,6 +17,10 @@ struct ComparisonReport {
 
   /// Whether nothing disagrees, and something agrees.
   bool agree() const;
+
+  /// Whether that may be said: a measure that a limit left out could change that nothing
+  /// disagrees.
+  Admission admission() const;
 };
 
 /// For people: each measure of both with its interval, and whether they agree.

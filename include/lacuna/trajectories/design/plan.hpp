@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "lacuna/core/base/run_context.hpp"
+#include "lacuna/core/base/stages_done.hpp"
 #include "lacuna/core/base/types.hpp"
 #include "lacuna/data/records/dataset.hpp"
 #include "lacuna/model/equations/system_model.hpp"
@@ -191,6 +192,7 @@ struct Plan {
   /// How much longer the experiments that were made would have to be repeated for the same
   /// (the least log Bayes factor, or the mean variance); nothing: none were made.
   std::optional<double> time_saved = {};
+  std::vector<StageDone> stages = {};  ///< the searches of the runs; what a deadline left out
 };
 
 /// The Fisher information of records about the free numbers of a fitted model, P x P: that of
@@ -216,7 +218,8 @@ std::vector<Experiment> experiments_of(const Fit& fit, const Dataset& data,
 /// by iterated Gauss-Newton steps. Designs are sought from seeded random ones, the best of which
 /// are improved by NLopt's Sbplx. Same problem and seed, same plan, whatever the threads are.
 /// @throws ArgumentError for a problem that does not fit together (names, ranges, sizes);
-///   ModelError for a delayed state and as SystemModel::parametrised(); Cancelled.
+///   ModelError for a delayed state and as SystemModel::parametrised(); Cancelled; OutOfTime
+///   where the deadline passes before a design is judged and checked.
 Plan plan_experiment(const PlanProblem& problem, const PlanOptions& options = {},
                      const RunContext& context = {});
 

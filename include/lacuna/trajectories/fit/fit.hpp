@@ -22,17 +22,14 @@ struct KnownDeviation {
   std::string column;   ///< input of the records that has them, all above 0
 };
 
-/// Starts anywhere in the ranges of parameters where none are asked for, with few samples and with
-/// many: one in seven comes to the best minimum of published problems.
-inline constexpr int kRangeStarts = 60, kRangeStartsOfMany = 10;
-
 /// How a model of known structure is fitted.
 struct FitOptions {
   int restarts = 8;       ///< at most so many other starts where residuals are above the noise
   /// At most so many starts anywhere in the ranges of parameters, wherever the first fit ends;
-  /// nothing: kRangeStarts (kRangeStartsOfMany) where a range is wide and residuals are above the
-  /// noise.
+  /// nothing: range_starts where a range is wide and residuals are above the noise.
   std::optional<int> starts = {};
+  /// With few samples, and with many: one in seven comes to the best minimum of published problems.
+  int range_starts = 60, range_starts_of_many = 10;
   /// Quick: from the given start alone, intervals by standard errors. Full: profiles of the
   /// likelihood of every parameter, whatever they cost.
   Thoroughness effort = Thoroughness::Normal;

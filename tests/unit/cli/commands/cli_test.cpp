@@ -26,17 +26,6 @@ TEST(Cli, VersionIsTold) {
   EXPECT_EQ(result.out.rfind("lacuna ", 0), 0u) << result.out;
 }
 
-TEST(Cli, BadArgumentsAreOneLineAndStatus2) {
-  expect_failure(run_command({}), 2, {"command line", "--help"});
-  expect_failure(run_command({"identfy"}), 2, {"identfy", "identify"});
-  expect_failure(run_command({"report"}), 2, {"'report' is an option, as in `lacuna ", "--report"});
-  expect_failure(run_command({"identify"}), 2, {"DATA", "lacuna identify --help"});
-  expect_failure(run_command({"identify", "a.csv", "--degre", "3"}), 2,
-                 {"--degre", "--degree"});
-  expect_failure(run_command({"identify", "a.csv", "--degree", "three"}), 2, {"three"});
-  expect_failure(run_command({"identify", "a.csv", "--threads", "0"}), 2, {"--threads"});
-}
-
 TEST(Cli, APageIsShownWhereThereIsOne) {
   const testing::Records records;
   expect_failure(run_command({"sync", "rossler", records.rossler(), "--open"}), 2,

@@ -37,5 +37,25 @@ TEST(Command, TakesModelsByFileOrName) {
                  {"no_such_model"});
 }
 
+/// A limit before anything is known: one line, and status 1.
+TEST(TimeLimit, HoldsWithEveryCommandThatComputes) {
+  const Records records;
+  const std::string model = records.folder().write("m.ode", "param k = 2\ndx/dt = -k*x\n");
+  const std::vector<std::vector<std::string>> commands{
+      {"sync", "rossler", records.rossler()},
+      {"compare", "rossler", records.rossler()},
+      {"simulate", "rossler", "--t-end", "1e5", "--dt", "0.01", "-o",
+       records.folder().file("o.csv")},
+      {"plan", model, "--measure", "x=0.1", "--duration", "10"},
+      {"bench", records.rossler(), "--parts", "regressor=ols"}};
+  for (std::vector<std::string> words : commands) {
+    words.insert(words.end(), {"--time-limit", "0.001"});
+    expect_failure(run_command(words), 1, {words[0], "incomplete", "time limit"});
+    words.back() = "0";
+    expect_failure(run_command(words), 2, {"--time-limit"});
+  }
+  EXPECT_FALSE(std::filesystem::exists(records.folder().file("o.csv")));
+}
+
 }  // namespace
 }  // namespace lacuna

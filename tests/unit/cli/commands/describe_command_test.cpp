@@ -17,8 +17,14 @@ TEST(DescribeCommand, ShowsOptionsOfEveryPart) {
     EXPECT_THAT(result.out, HasSubstr("(" + std::string(entry.kind) + ")"));
     EXPECT_THAT(unfolded(result.out), HasSubstr(std::string(entry.info.summary)));
   }
-  EXPECT_THAT(run_command({"describe", "stlsq"}).out,
-              HasSubstr("threshold  (number, >= 0; default 0.01)"));
+  const std::string stlsq = run_command({"describe", "stlsq"}).out;
+  EXPECT_THAT(stlsq, HasSubstr("threshold  (number, >= 0; default 0.01)"));
+  EXPECT_THAT(stlsq, HasSubstr("one of contribution, coefficient"));
+  EXPECT_THAT(run_command({"describe", "irls-l1"}).out,
+              HasSubstr("inner  (l1-solver; default coordinate-descent)"));
+  EXPECT_THAT(run_command({"describe", "savitzky-golay"}).out,
+              HasSubstr("window  (whole number or none, samples"));
+  EXPECT_THAT(run_command({"describe", "ols"}).out, HasSubstr("no options"));
 }
 
 TEST(DescribeCommand, ShowsPresetsAndSystems) {

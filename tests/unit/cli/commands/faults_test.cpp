@@ -21,6 +21,8 @@ TEST(Faults, NoWordIsOfTheParser) {
       {{"identify", "r", "--terms", "x", "--degree", "2"}, "exclude each other"},
       {{"identify"}, "DATA is missing"},
       {{}, "no command is given"},
+      {{"identfy"}, "did you mean 'identify'"},
+      {{"report"}, "'report' is an option, as in `lacuna "},
       {{"simulate", "lorenz", "--t-end", "nan", "--dt", "1"}, "'nan' is no finite number"},
       {{"identify", "r", "--degre", "2"}, "'--degre' is not known; did you mean '--degree'?"}};
   for (const auto& [words, sentence] : faults)

@@ -58,8 +58,9 @@ std::string help_of(const std::string& command) {
 
 TEST(FitCommand, HelpSaysTheDefaultsThatAreTaken) {
   EXPECT_THAT(help_of("fit"),
-              HasSubstr("[default: " + std::to_string(kRangeStarts) + ", with many samples " +
-                        std::to_string(kRangeStartsOfMany) + ","));
+              HasSubstr("[default: " + std::to_string(FitOptions{}.range_starts) +
+                        ", with many samples " +
+                        std::to_string(FitOptions{}.range_starts_of_many) + ","));
   EXPECT_THAT(help_of("diagnose"),
               HasSubstr("at most so many effects [default: " +
                         std::to_string(DecisionOptions{}.max_effects) + "]"));

@@ -71,6 +71,21 @@ TEST(SyncCommand, AStateThatNobodyMeasuredGoesAlone) {
               HasSubstr("slaves that begin elsewhere part by -0.5 1/s"));
 }
 
+TEST(SyncCommand, ColumnsThatTheModelLacksAreSaid) {
+  const Records records;
+  std::string text = "t,x,p,q\n";
+  for (int i = 0; i <= 400; ++i)
+    text += std::to_string(0.05 * i) + "," + std::to_string(std::sin(0.05 * i)) + ",7,1\n";
+  const std::string record = records.folder().write("x.csv", text);
+  const std::string model = records.folder().write("m.ode", "dx/dt = cos(t)\n");
+  const auto outcome = run_command({"sync", model, record});
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("; not used p, q\n"));
+  EXPECT_EQ(
+      nlohmann::json::parse(run_command({"sync", model, record, "--json", "-"}).out)["states"],
+      std::vector<std::string>{"x"});
+}
+
 TEST(SyncCommand, AnOutputThatIsAFormulaIsStatus2) {
   const Records records;
   const std::string record = records.folder().write("y.csv", "t,y\n0,1\n1,2\n2,3\n3,1\n");

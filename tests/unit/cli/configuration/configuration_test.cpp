@@ -51,6 +51,9 @@ TEST(Configuration, AFormattedPipelineGivesItselfBack) {
         format_pipeline(build(std::string(R"({"preset": ")") + preset + "\"}"));
     EXPECT_EQ(format_pipeline(build(whole)), whole);
   }
+  const std::string other =
+      format_pipeline(build(R"({"formulation": {"differentiator": {"order": 6}}})"));
+  EXPECT_EQ(difference_order(build(other)), 6) << "options of stages inside stages, too";
 }
 
 TEST(Configuration, OptionsWithoutATypeChangeThoseOfThePreset) {

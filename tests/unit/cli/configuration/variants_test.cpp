@@ -15,13 +15,6 @@ const StageVariant* find(const std::vector<StageVariant>& all, const std::string
   return found == all.end() ? nullptr : &*found;
 }
 
-TEST(Variants, PlainPartsAppearOnceUnderTheirName) {
-  const auto all = variants(default_registry(), "filter");
-  EXPECT_EQ(all.size(), default_registry().names("filter").size());
-  ASSERT_NE(find(all, "abm"), nullptr);
-  EXPECT_EQ(find(all, "abm")->stage->info().name, "abm");
-}
-
 TEST(Variants, NestedStagesAppearOncePerRegisteredInnerStage) {
   const Registry registry = default_registry();
   const auto all = variants(registry, "regressor");
@@ -40,18 +33,6 @@ TEST(Variants, StagesOfTheirOwnKindStayAsTheyAre) {
   ASSERT_NE(find(all, "sum"), nullptr);
   EXPECT_TRUE(find(all, "sum")->unavailable.empty());
   EXPECT_EQ(all.size(), default_registry().names("basis").size());
-}
-
-TEST(Variants, HaveAStageUnlessTheySayWhyNot) {
-  ASSERT_FALSE(default_registry().kinds().empty());
-  for (const std::string& kind : default_registry().kinds())
-    for (const auto& variant : variants(default_registry(), kind))
-      EXPECT_EQ(variant.stage == nullptr, !variant.unavailable.empty()) << variant.label;
-}
-
-TEST(Variants, UnknownKindSuggestsTheNearest) {
-  testing::expect_error<ConfigError>([] { variants(default_registry(), "prunner"); },
-                                     "registry", "prunner", "pruner");
 }
 
 }  // namespace

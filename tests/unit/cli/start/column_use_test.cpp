@@ -81,11 +81,5 @@ TEST(ColumnUse, AStateIsNeeded) {
   EXPECT_THROW(asked_use(proposed_use(record()), questions), ConfigError);
 }
 
-TEST(ColumnUse, HasItsName) {
-  EXPECT_EQ(to_string(ColumnUse::State), "state");
-  EXPECT_EQ(to_string(ColumnUse::Input), "input");
-  EXPECT_EQ(to_string(ColumnUse::LeftOut), "leave out");
-}
-
 }  // namespace
 }  // namespace lacuna::cli

@@ -41,14 +41,5 @@ TEST(Check, TimesIncreaseAndAreFinite) {
   EXPECT_THROW(check_times(Vector{{-kInfinity, 0.0}}, 1, "f"), ArgumentError);
 }
 
-TEST(Check, SaysWhereWhatAndWhatToDo) {
-  try {
-    check_argument(false, "f", "it does not fit", "make it fit");
-    FAIL();
-  } catch (const ArgumentError& error) {
-    EXPECT_STREQ(error.what(), "f: it does not fit; make it fit");
-  }
-}
-
 }  // namespace
 }  // namespace lacuna

@@ -22,23 +22,5 @@ TEST(Error, LeavesEmptyPartsOut) {
   EXPECT_STREQ(Error("", "bad", "mend it").what(), "bad; mend it");
 }
 
-TEST(Error, EveryKindIsCaughtAsError) {
-  EXPECT_THROW(throw ConfigError("a", "b", "c"), Error);
-  EXPECT_THROW(throw ModelError("a", "b", "c"), Error);
-  EXPECT_THROW(throw ArgumentError("a", "b", "c"), Error);
-  EXPECT_THROW(throw FileError("a", "b", "c"), Error);
-}
-
-TEST(Error, CancellingIsNoError) {
-  EXPECT_THROW(
-      {
-        try {
-          throw Cancelled();
-        } catch (const Error&) {
-        }
-      },
-      Cancelled);
-}
-
 }  // namespace
 }  // namespace lacuna

@@ -9,22 +9,6 @@
 namespace lacuna {
 namespace {
 
-TEST(RunContext, WorksWithoutProgressAndWithoutStop) {
-  const RunContext context;
-  EXPECT_NO_THROW(context.report("fitting", 0.5));
-  EXPECT_EQ(context.threads, 1);
-}
-
-TEST(RunContext, TellsTheProgress) {
-  std::vector<std::string> seen;
-  RunContext context;
-  context.progress = [&](const Progress& progress) {
-    seen.push_back(std::string(progress.activity) + " " + std::to_string(progress.fraction));
-  };
-  context.report("fitting", 0.25);
-  EXPECT_EQ(seen, std::vector<std::string>{"fitting 0.250000"});
-}
-
 TEST(RunContext, StopsBeforeItTells) {
   std::stop_source source;
   bool told = false;

@@ -31,14 +31,5 @@ TEST(PositionedFile, SaysWhatCannotBeRead) {
   EXPECT_THROW(PositionedFile(folder.path()), FileError);
 }
 
-TEST(PositionedFile, MovesWithWhatIsOpen) {
-  const testing::TemporaryFolder folder;
-  PositionedFile first(folder.write("a", "0123456789"));
-  const PositionedFile second = std::move(first);
-  std::array<char, 2> part{};
-  second.read(4, part);
-  EXPECT_EQ(std::string(part.data(), 2), "45");
-}
-
 }  // namespace
 }  // namespace lacuna

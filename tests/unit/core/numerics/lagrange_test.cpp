@@ -34,22 +34,6 @@ TEST(LagrangeWindow, IsTheOneOfTheSourceForRk4) {
   EXPECT_EQ(window.before, 2);  // t_{n-2} .. t_{n+1}
 }
 
-TEST(LagrangeWindow, HoldsBothEndsOfTheInterval) {
-  for (int order = 1; order <= 8; ++order) {
-    const LagrangeWindow window = LagrangeWindow::driving(order);
-    EXPECT_EQ(window.points, std::max(order, 2));
-    EXPECT_GE(window.before, 0);
-    EXPECT_GE(window.points - 1 - window.before, 1) << order;
-  }
-}
-
-TEST(LagrangeWindow, CentredLiesAroundTheInterval) {
-  EXPECT_EQ(LagrangeWindow::centred(1).before, 0);
-  EXPECT_EQ(LagrangeWindow::centred(2).before, 0);
-  EXPECT_EQ(LagrangeWindow::centred(4).before, 1);
-  EXPECT_EQ(LagrangeWindow::centred(6).before, 2);
-}
-
 TEST(LagrangeInterpolant, IsExactForPolynomialsOfItsDegree) {
   for (const int points : {2, 4, 5, 8}) {
     const Matrix values = samples_of(points - 1);
@@ -96,14 +80,6 @@ TEST(LagrangeInterpolant, FindsIntervals) {
   EXPECT_EQ(interpolant.interval_of(0.4), 1);
   EXPECT_EQ(interpolant.interval_of(0.5), 2);
   EXPECT_EQ(interpolant.interval_of(9.0), 9);
-}
-
-TEST(LagrangeInterpolant, NeedsEnoughSamples) {
-  const Vector time{{0.0, 1.0, 2.0}};
-  EXPECT_THROW(LagrangeInterpolant(time, Matrix::Zero(3, 1), LagrangeWindow::centred(4)),
-               ArgumentError);
-  EXPECT_THROW(LagrangeInterpolant(time, Matrix::Zero(4, 1), LagrangeWindow::centred(2)),
-               ArgumentError);
 }
 
 }  // namespace

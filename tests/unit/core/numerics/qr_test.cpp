@@ -93,11 +93,6 @@ TEST(PivotedQr, FractionOfTheLargestPivotSaysWhatIsDependent) {
   EXPECT_EQ(PivotedQr(a, 1e-7).rank(), 2);
 }
 
-TEST(PivotedQr, TransposedTimesKeepsLengths) {
-  const Vector b{{1.0, -2.0, 0.5, 3.0}};
-  EXPECT_NEAR(PivotedQr(tall()).transposed_times(b).norm(), b.norm(), 1e-14);
-}
-
 TEST(OrthonormalBasis, LengthsOfColumnsDoNotMatter) {
   Matrix a = dependent();
   a.col(0) *= 1e9;
@@ -124,18 +119,6 @@ TEST(PivotedQr, OfNothingHasTheIdentity) {
     EXPECT_EQ(factor.inverse_triangle().size(), 0);
     EXPECT_EQ(factor.solve(Vector(Vector::Ones(rows))), Vector::Zero(columns));
   }
-}
-
-TEST(Qr, ArgumentsHaveToFit) {
-  const Qr qr(Matrix::Ones(3, 2));
-  EXPECT_THROW(qr.times(Matrix::Ones(2, 2)), ArgumentError);
-  EXPECT_THROW(qr.transposed_times(Matrix::Ones(4, 2)), ArgumentError);
-  Matrix wide = Matrix::Ones(2, 4);
-  EXPECT_THROW(qr.apply_on_the_right(wide), ArgumentError);
-  const PivotedQr pivoted(Matrix::Ones(3, 2));
-  EXPECT_THROW(pivoted.solve(Matrix(Matrix::Ones(2, 2))), ArgumentError);
-  EXPECT_THROW(pivoted.solve(Vector(Vector::Ones(4))), ArgumentError);
-  EXPECT_THROW(pivoted.transposed_times(Vector::Ones(4)), ArgumentError);
 }
 
 }  // namespace

@@ -5,8 +5,6 @@
 
 #include <cmath>
 
-#include "lacuna/core/base/error.hpp"
-
 namespace lacuna {
 namespace {
 
@@ -154,15 +152,6 @@ TEST(SampledSignal, TheMomentsOfAHeldSignalAreExact) {
     }
     for (int k = 0; k < 3; ++k) EXPECT_NEAR(curves[k], signals[k], 1e-4) << from << " " << k;
   }
-}
-
-TEST(SampledSignal, SamplesHaveToFitAndTimesToIncrease) {
-  const Vector three = Vector::LinSpaced(3, 0.0, 1.0), two = Vector::Ones(2);
-  EXPECT_THROW(SampledSignal(three, two), ArgumentError);
-  EXPECT_THROW(SampledSignal(Vector(), Vector()), ArgumentError);
-  EXPECT_THROW(SampledSignal(two, two), ArgumentError);
-  EXPECT_THROW(interpolate_cubic(three, two, three), ArgumentError);
-  EXPECT_THROW(integrate_cubic(Vector(), Vector()), ArgumentError);
 }
 
 }  // namespace

@@ -49,10 +49,6 @@ TEST(SingularValues, FewerRowsThanColumnsLeaveTheRestUndetermined) {
   EXPECT_EQ(found.null_space(1e-12).cols(), 2);
 }
 
-TEST(SingularValues, NothingHasNoRank) {
-  EXPECT_EQ(singular_values(Matrix::Zero(3, 2)).rank(1e-12), 0);
-}
-
 TEST(SingularValues, OfNoColumnsAndOfNan) {
   const SingularValues none = singular_values(Matrix(3, 0));
   EXPECT_EQ(none.values.size(), 0);

@@ -43,11 +43,6 @@ TEST(Differentiator, UsableArgumentsReachTheMethod) {
   EXPECT_EQ(Marker{}.differentiate(kTime, kValues, 3), Matrix::Constant(5, 2, 3.0));
 }
 
-TEST(Differentiator, ShapesMustFit) {
-  EXPECT_THROW(Marker{}.differentiate(kTime.head(4), kValues), ArgumentError);
-  EXPECT_THROW(Marker{}.differentiate(kTime, kValues, -1), ArgumentError);
-}
-
 TEST(Differentiator, TimeMustIncrease) {
   Vector time = kTime;
   time[3] = time[2];

@@ -51,11 +51,5 @@ TEST(L1Trend, HasASubgradientOfZero) {
     }
 }
 
-TEST(L1Trend, ShapesHaveToFit) {
-  const SparseRows rows = divided_differences(uniform_grid(10, 1.0), 2);
-  EXPECT_THROW(l1_trend(rows, Vector::Ones(9), 1.0), ArgumentError);
-  EXPECT_THROW(l1_trend(rows, Vector::Ones(10), 0.0), ArgumentError);
-}
-
 }  // namespace
 }  // namespace lacuna

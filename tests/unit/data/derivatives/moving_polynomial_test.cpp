@@ -44,13 +44,5 @@ TEST(SmoothByPolynomials, InterpolatesFewSamples) {
   EXPECT_LT((smooth_by_polynomials(t, x, 0.1).col(0) - x).norm(), 1e-9);
 }
 
-TEST(MovingPolynomial, SamplesHaveToFit) {
-  const Vector time = Vector::LinSpaced(6, 0.0, 1.0), five = Vector::Ones(5);
-  EXPECT_THROW(smooth_by_polynomials(time, five, 0.1), ArgumentError);
-  EXPECT_THROW(smooth_by_polynomials(time, time, five), ArgumentError);
-  EXPECT_THROW(smooth_by_polynomials(Vector(), Vector(), 0.1), ArgumentError);
-  EXPECT_THROW(smooth_by_polynomials(five, five, 0.1), ArgumentError);
-}
-
 }  // namespace
 }  // namespace lacuna

@@ -76,13 +76,5 @@ TEST(PenalisedFit, LambdaIsWhereTheCriterionIsLeast) {
   }
 }
 
-TEST(PenalisedFit, RefusesWhatDoesNotFit) {
-  EXPECT_THROW(fit_penalised(second_differences(), Matrix::Zero(5, 1), 1.0), ArgumentError);
-  EXPECT_THROW(fit_penalised(second_differences(), noisy_sines(0.0), 0.0), ArgumentError);
-  EXPECT_THROW(choose_lambda(second_differences(), noisy_sines(0.0), PenaltyChoice::Gcv, {}, 1.0,
-                             0.5),
-               ArgumentError);
-}
-
 }  // namespace
 }  // namespace lacuna

@@ -15,37 +15,11 @@ Vector nodes(std::initializer_list<double> values) {
   return Eigen::Map<const Vector>(values.begin(), static_cast<Index>(values.size()));
 }
 
-TEST(InterpolationWeights, AreTheTextbookCentralDifferences) {
-  const Vector first = interpolation_weights(nodes({-2, -1, 0, 1, 2}), 0.0, 1);
-  EXPECT_LT((12.0 * first - nodes({1, -8, 0, 8, -1})).norm(), 1e-14);
-  const Vector second = interpolation_weights(nodes({-2, -1, 0, 1, 2}), 0.0, 2);
-  EXPECT_LT((12.0 * second - nodes({-1, 16, -30, 16, -1})).norm(), 1e-13);
-}
-
-TEST(InterpolationWeights, AreTheTextbookOneSidedDifferences) {
-  const Vector weights = interpolation_weights(nodes({0, 1, 2}), 0.0, 1);
-  EXPECT_LT((2.0 * weights - nodes({-3, 4, -1})).norm(), 1e-14);
-}
-
-TEST(InterpolationWeights, OrderZeroInterpolates) {
-  const Vector x = nodes({0.0, 0.4, 1.1, 1.9});
-  const Vector weights = interpolation_weights(x, 0.7, 0);
-  EXPECT_NEAR(weights.dot(polynomial(x, 3)), polynomial(nodes({0.7}), 3)[0], 1e-14);
-}
-
 TEST(FitWeights, AreTheTableOfSavitzkyAndGolay) {
   const Vector smooth = fit_weights(nodes({-2, -1, 0, 1, 2}), 0.0, 2, 0);
   EXPECT_LT((35.0 * smooth - nodes({-3, 12, 17, 12, -3})).norm(), 1e-13);
   const Vector rate = fit_weights(nodes({-2, -1, 0, 1, 2}), 0.0, 2, 1);
   EXPECT_LT((10.0 * rate - nodes({-2, -1, 0, 1, 2})).norm(), 1e-13);
-}
-
-TEST(FitWeights, EqualInterpolationWhenTheFitHasNoFreedom) {
-  const Vector x = nodes({0.0, 0.4, 1.1, 1.9});
-  for (int order = 0; order <= 3; ++order)
-    EXPECT_LT((fit_weights(x, 0.2, 3, order) - interpolation_weights(x, 0.2, order)).norm(),
-              1e-11)
-        << order;
 }
 
 StencilRule second_order_rule() {
@@ -80,51 +54,12 @@ TEST(ApplyStencil, DriftingClockIsNotUniform) {
   EXPECT_LT((rate.array() - 1.0).abs().maxCoeff(), 1e-9);
 }
 
-TEST(ApplyStencil, TooFewSamplesSayHowMany) {
-  try {
-    apply_stencil(second_order_rule(), uniform_grid(2, 1.0), Matrix::Zero(2, 1));
-    FAIL();
-  } catch (const DataError& error) {
-    EXPECT_NE(error.problem().find("at least 3 samples and has 2"), std::string::npos);
-  }
-}
-
 TEST(ApplyStencil, LeavesOutTheMarginOnAnyGrid) {
   for (const Vector& time : {uniform_grid(40, 0.1), jittered_grid(40, 3.0)}) {
     const Matrix values = time.array().sin().matrix();
     const Matrix all = apply_stencil(second_order_rule(), time, values);
     EXPECT_EQ(apply_stencil(second_order_rule(), time, values, 5), all.middleRows(5, 30));
   }
-}
-
-TEST(Stencil, WeightsNeedNodes) {
-  const Vector two{{0.0, 1.0}}, same{{1.0, 1.0, 1.0}};
-  EXPECT_THROW(interpolation_weights(Vector(), 0.0, 0), ArgumentError);
-  EXPECT_THROW(interpolation_weights(two, 0.0, 2), ArgumentError);
-  EXPECT_THROW(interpolation_weights(two, 0.0, -1), ArgumentError);
-  EXPECT_THROW(interpolation_weights(same, 0.0, 1), ArgumentError);
-  EXPECT_THROW(fit_weights(Vector(), 0.0, 0, 0), ArgumentError);
-  EXPECT_THROW(fit_weights(two, 0.0, 2, 1), ArgumentError);
-  EXPECT_THROW(fit_weights(two, 0.0, -1, 0), ArgumentError);
-  EXPECT_THROW(fit_weights(two, 0.0, 1, -1), ArgumentError);
-  EXPECT_THROW(fit_weights(same, 0.0, 1, 1), ArgumentError);
-  EXPECT_EQ(fit_weights(two, 0.0, 1, 2), Vector::Zero(2));
-}
-
-TEST(Stencil, RuleAndSamplesHaveToFit) {
-  StencilRule rule{"made", 1, 1, 3, [](const Vector& nodes, double at) {
-                     return interpolation_weights(nodes, at, 1);
-                   }};
-  const Vector time = Vector::LinSpaced(5, 0.0, 4.0);
-  EXPECT_THROW(apply_stencil(rule, time, Matrix::Ones(4, 1)), ArgumentError);
-  EXPECT_THROW(apply_stencil(rule, time, Matrix::Ones(5, 1), -1), ArgumentError);
-  EXPECT_THROW(apply_stencil(rule, time, Matrix::Ones(5, 1), 3), ArgumentError);
-  rule.radius = 2;
-  EXPECT_THROW(apply_stencil(rule, time, Matrix::Ones(5, 1)), ArgumentError);
-  rule.weights = nullptr;
-  EXPECT_THROW(apply_stencil(rule, time, Matrix::Ones(5, 1)), ArgumentError);
-  EXPECT_FALSE(common_step(Vector{{0.0, std::numeric_limits<double>::quiet_NaN(), 2.0}}));
-  EXPECT_FALSE(common_step(Vector::Zero(3)));
 }
 
 }  // namespace

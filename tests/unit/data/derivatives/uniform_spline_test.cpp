@@ -49,12 +49,5 @@ TEST(UniformSpline, PenaltyIsTheIntegralOfTheSquare) {
   }
 }
 
-TEST(UniformSpline, RefusesWhatIsNoGrid) {
-  EXPECT_THROW(spline_over(Vector::Zero(1), 3), ArgumentError);
-  EXPECT_THROW(spline_over(Vector::Zero(4), 3), ArgumentError);
-  EXPECT_THROW(spline_penalty({0.0, 1.0, 3, 5}, 1), ArgumentError);
-  EXPECT_THROW(spline_rows({0.0, 1.0, 3, 5}, Vector::Ones(2), -1), ArgumentError);
-}
-
 }  // namespace
 }  // namespace lacuna

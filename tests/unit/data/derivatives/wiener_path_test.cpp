@@ -104,12 +104,5 @@ TEST(WienerPath, ScoreIsLeastNearTheLambdaOfTheProcess) {
   EXPECT_NEAR(smooth_wiener(time, y, 2, 100.0).noise[0], 1.0, 0.05);
 }
 
-TEST(WienerPath, RefusesWhatDoesNotFit) {
-  const Vector time = uniform_grid(20, 1.0);
-  EXPECT_THROW(smooth_wiener(time, Matrix(time), 5, 1.0), ArgumentError);
-  EXPECT_THROW(smooth_wiener(time, Matrix(time), 3, 0.0), ArgumentError);
-  EXPECT_THROW(wiener_score(time.head(8), Matrix(time.head(8)), 3, 1.0), ArgumentError);
-}
-
 }  // namespace
 }  // namespace lacuna

@@ -135,36 +135,5 @@ TEST(Dialects, RawFilesAreListsOfPoints) {
   EXPECT_THAT(table.lines, ElementsAre(12, 15));
 }
 
-TEST(Dialects, ClocksAreSecondsSinceTheFirst) {
-  const Table table = parse_text_table(
-      "Zeitstempel;th [rad];u [V]\n2026-11-22T23:59:59.5Z;0,1;2\n"
-      "2026-11-23T00:00:00.25Z;0,2;3\n2026-11-23T00:00:01Z;0,3;4\n",
-      "log.csv");
-  EXPECT_THAT(names_of(table), ElementsAre("t s", "th rad", "u V"));
-  EXPECT_EQ(table.values.col(0), Eigen::Vector3d(0.0, 0.75, 1.5));
-  EXPECT_EQ(row(table, 2).tail(2), Eigen::Vector2d(0.3, 4.0));
-}
-
-TEST(Dialects, TimesOfDayGoOverMidnight) {
-  const Table table =
-      parse_text_table("time,x\n23:59:59.9,1\n00:00:00.1,2\n00:00:00.3,3\n", "log.csv");
-  EXPECT_NEAR(table.values(2, 0), 0.4, 1e-9);
-}
-
-TEST(Dialects, ADateAndATimeAreOneColumn) {
-  const Table table = parse_text_table(
-      "Date,Time,x\n22.11.2026,10:00:00,1\n22.11.2026,10:00:01,2\n22.11.2026,10:00:02,3\n",
-      "log.csv");
-  EXPECT_THAT(names_of(table), ElementsAre("t s", "x"));
-  EXPECT_EQ(row(table, 2), Eigen::Vector2d(2.0, 3.0));
-}
-
-TEST(Dialects, PlainTablesAreLeftAlone) {
-  for (const char* text :
-       {"t,x\n0,1\n1,2\n", "1 2 3\n4 5 6\n", "", "X,Y\n1,2\n3,4\n",
-        "Record Length,2\nt,x\n0,1\n", "0 1 2 3\n1 1 2 3\n", "0 1 0 3\n0.1 1 0.2 3\n"})
-    EXPECT_FALSE(dialect_of(text)) << text;
-}
-
 }  // namespace
 }  // namespace lacuna

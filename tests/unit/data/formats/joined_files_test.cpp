@@ -15,14 +15,6 @@ namespace {
 using ::testing::ElementsAre;
 using testing::TemporaryFolder;
 
-TEST(JoinedFiles, NamesBetweenSigns) {
-  const TemporaryFolder folder;
-  const std::string a = folder.write("a.csv", ""), b = folder.write("b.csv", "");
-  EXPECT_THAT(joined_files(a + "+" + b), ElementsAre(a, b));
-  EXPECT_THAT(joined_files(a), ElementsAre(a));
-  EXPECT_THAT(joined_files(b + "+" + a + "+" + b), ElementsAre(b, a, b));
-}
-
 TEST(JoinedFiles, ANameThatHoldsASignIsThatFile) {
   const TemporaryFolder folder;
   const std::string a = folder.write("a", ""), c = folder.write("c.csv", "");
@@ -53,12 +45,6 @@ TEST(JoinedFiles, AMisspeltOneIsSaid) {
   const std::string a = folder.write("a.csv", "t,x\n0,1\n1,2\n");
   testing::expect_error<FileError>([&] { read_table(a + "+" + folder.file("b.csv")); },
                                    folder.file("b.csv"), "cannot be read", "");
-}
-
-TEST(SingleFiles, AreThoseOfPatternsAndOfJoinedNames) {
-  const TemporaryFolder folder;
-  const std::string a = folder.write("a.csv", ""), b = folder.write("b.csv", "");
-  EXPECT_THAT(single_files({folder.file("*.csv"), a + "+" + b}), ElementsAre(a, b, a, b));
 }
 
 }  // namespace

@@ -82,18 +82,26 @@ TEST(Npz, DatesAreTimesInTheirUnit) {
 
 TEST(Npz, ArraysAreColumns) {
   const Vector t = Vector::LinSpaced(50, 0.0, 1.0);
-  const Matrix x = Matrix::Random(50, 2);
+  const Matrix x = Matrix::Random(50, 2), y = Matrix::Random(2, 50);
   for (const bool pack : {false, true}) {
-    const Table table = parse_npz(
-        archive({{"t.npy", t}, {"x.npy", x}, {"note.npy", Vector::Ones(1)}}, pack), "a.npz");
-    ASSERT_EQ(table.columns.size(), 3u);
+    const Table table = parse_npz(archive({{"t.npy", t.transpose()},
+                                           {"x.npy", x},
+                                           {"y.npy", y},
+                                           {"note.npy", Vector::Ones(1)}},
+                                          pack),
+                                  "a.npz");
+    ASSERT_EQ(table.columns.size(), 5u);
     EXPECT_EQ(table.columns[0].name, "t");
     EXPECT_EQ(table.columns[2].name, "x2");
+    EXPECT_EQ(table.columns[3].name, "y1");
     EXPECT_EQ(table.values.col(0), t);
-    EXPECT_EQ(table.values.rightCols(2), x);
+    EXPECT_EQ(table.values.middleCols(1, 2), x);
+    EXPECT_EQ(table.values.rightCols(2), y.transpose());
     EXPECT_THAT(table.notes.at(0),
                 ::testing::HasSubstr("'note' has 1 x 1 values, not 50 samples"));
   }
+  EXPECT_EQ(parse_npz(archive({{"x.npy", y.leftCols(6)}}, true), "a.npz").values, y.leftCols(6))
+      << "rows are samples";
 }
 
 TEST(Npz, WhatIsNoMatrixIsLeftOutAndNoted) {

@@ -82,6 +82,10 @@ TEST(ReadDataset, ColumnsMayStandInAnotherOrder) {
       read_dataset({folder.write("a.csv", kRun),
                     folder.write("b.csv", "y [V],x [V],t [s]\n2,1,0\n4,3,1\n")});
   EXPECT_EQ(data.trajectories[1].states, data.trajectories[0].states.topRows(2));
+  const Dataset other = read_dataset({folder.write("c.csv", "t,time,x\n0,5,1\n1,6,2\n"),
+                                      folder.write("d.csv", "time,t,x\n5,0,1\n6,1,2\n")});
+  EXPECT_EQ(other.trajectories[1].states, other.trajectories[0].states)
+      << "the time is that of the first file";
 }
 
 TEST(ReadDataset, ColumnsAreCalledAsTheRolesSay) {

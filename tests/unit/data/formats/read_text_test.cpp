@@ -86,28 +86,78 @@ TEST(ReadText, ReadsNumbersToTheLastBit) {
   EXPECT_EQ(table.values(0, 3), 0.0);
 }
 
-TEST(ReadText, RefusesRaggedLines) {
-  expect_error<DataError>([] { parse("t,x\n0,1\n1,2,3\n"); }, "a.csv:3:3",
-                          "the line has 3 fields, the others have 2", "remove this line");
-  expect_error<DataError>([] { parse("t,x\n0,1\n1,2\n\n2\n"); }, "a.csv:5:2",
-                          "the line has 1 field, the others have 2", "same number of fields");
-  expect_error<DataError>([] { parse("0 1\n1 2 3\n"); }, "a.csv:2:3", "the line has 3 fields",
-                          "same number");
+/// The line of the first row and what the header says: "2: t [s]|x".
+std::string header_of(const std::string& text) {
+  const Table table = parse(text);
+  std::string all = std::to_string(table.lines.at(0)) + ": ";
+  for (std::size_t i = 0; i < table.columns.size(); ++i) {
+    const std::string& unit = table.columns[i].unit;
+    all += (i > 0 ? "|" : "") + table.headers[i] + (unit.empty() ? "" : " [" + unit + "]");
+  }
+  return all;
 }
 
-TEST(ReadText, RefusesTextInAColumn) {
-  expect_error<DataError>([] { parse("t,x\n0,1\n1,abc\n"); }, "a.csv:3:2",
-                          "'abc' in column 'x' is not a number", "leave the field empty");
-  expect_error<DataError>([] { parse("t,x\n0,1\n12:30,2\n"); }, "a.csv:3:1", "'12:30'",
-                          "number");
-  expect_error<DataError>([] { parse("t,x\n0,1\nt,x\n1,2\n"); }, "a.csv:3:1", "'t'", "number");
+TEST(ReadText, HeadersOfManyPrograms) {
+  const std::pair<std::string, std::string> headers[] = {
+      {"t;x\n0;1\n", "2: t|x"},
+      {"t   x\n0   1\n", "2: t|x"},
+      {"# made by hand\nt [s], x (V) ,w\n\n0,1,2\n", "4: t [s]|x [V]|w"},
+      {"0 1 2\n", "1: ||"},
+      {"\xEF\xBB\xBFt,x\n0,1\n", "2: t|x"},
+      {"Ch 1 [V]\n0.5\n", "2: Ch 1 [V]"},
+      {"time,1,2\n0,5,6\n", "2: time|1|2"},
+      // Units in a line of their own, if one of them is a time's.
+      {"Time,Speed,Volt\nms,rpm,V\n0,0.5,5\n", "3: Time [ms]|Speed [rpm]|Volt [V]"},
+      {"x;t\nm/s^2;us\n1;2\n", "3: x [m/s^2]|t [us]"},
+      {"Zeit;T;n\n[min];[\u00b0C];-\n1;2;3\n", "3: Zeit [min]|T [\u00b0C]|n"},
+      {"stamp\tx\nsec\tmV\n1\t2\n", "3: stamp [s]|x [mV]"},
+      {"Time,Channel A\n(ms),(V)\n\n0,1\n", "4: Time [ms]|Channel A [V]"},
+      {"x-axis,1\nsecond,Volt\n-0.5,1\n", "3: x-axis [s]|1 [V]"},
+      {"Channel A,Channel B\ns,x\n0,1\n", "3: s|x"},
+      {"Time,Speed\nt,w\n0,1\n", "3: t|w"},
+      // Preambles.
+      {"Model,DSO-X 2024\nSerial Number,MY123\nRecord Length,10000\nSample Interval,1e-06\n\n"
+       "TIME,CH1,CH2\n-0.01,0.1,0.2\n",
+       "7: TIME|CH1|CH2"},
+      {"10000\nTIME,CH1\n0,1\n1,2\n", "3: TIME|CH1"},
+      // A delimiter at the end of each line opens no column.
+      {"t,x,\n0,1,\n", "2: t|x"},
+      {"t,x\n0,1,\n", "2: t|x"},
+      {"t,x,y\n0,1,\n", "2: t|x|y"},
+  };
+  for (const auto& [text, header] : headers) EXPECT_EQ(header_of(text), header) << text;
+  EXPECT_THAT(parse("Model,DSO\nDepth,10000\n\nTIME,CH1\n-0.01,0.1\n").notes,
+              ElementsAre("a.csv:1: 2 preamble lines skipped"));
 }
 
-TEST(ReadText, NamesTheTextBesideDecimalCommas) {
-  // Under commas these lines would be a table too, with a column of text.
-  expect_error<DataError>(
-      [] { parse("t;x\n0,0;1,5\n0,1;1,7\n0,2;open\n0,3;2,1\n0,4;2,3\n"); }, "a.csv:4:2",
-      "'open' in column 'x' is not a number", "leave the field empty");
+TEST(ReadText, RefusesWhatIsNoTable) {
+  const struct {
+    std::string text, place, problem, remedy;
+  } refused[] = {
+      {"", "a.csv", "the file is empty", "header line"},
+      {"# only\n\n", "a.csv", "the file is empty", "lines of numbers"},
+      {"t,x\n", "a.csv", "there is no line of numbers", "lines of numbers"},
+      {"t,x\n0,abc\n1,def\n", "a.csv:2:2", "'abc' is not a number", "column of text"},
+      {"t,x\n0,abc\n1,2\n", "a.csv:2", "numbers and text", "#"},
+      {"t,x\n0,1,2\n", "a.csv:1", "the header has 2 names, the data have 3 columns",
+       "name every column"},
+      {"# c\nt,x,x\n0,1,2\n", "a.csv:2:3", "columns 2 and 3 are both named 'x'",
+       "name of its own"},
+      {"t,x\n0,1\n1,2,3\n", "a.csv:3:3", "the line has 3 fields, the others have 2",
+       "remove this line"},
+      {"t,x\n0,1\n1,2\n\n2\n", "a.csv:5:2", "the line has 1 field, the others have 2",
+       "same number of fields"},
+      {"0 1\n1 2 3\n", "a.csv:2:3", "the line has 3 fields", "same number"},
+      {"t,x\n0,1\n1,abc\n", "a.csv:3:2", "'abc' in column 'x' is not a number",
+       "leave the field empty"},
+      {"t,x\n0,1\n12:30,2\n", "a.csv:3:1", "'12:30'", "number"},
+      {"t,x\n0,1\nt,x\n1,2\n", "a.csv:3:1", "'t'", "number"},
+      // Under commas these lines would be a table too, with a column of text.
+      {"t;x\n0,0;1,5\n0,1;1,7\n0,2;open\n0,3;2,1\n0,4;2,3\n", "a.csv:4:2",
+       "'open' in column 'x' is not a number", "leave the field empty"},
+  };
+  for (const auto& file : refused)
+    expect_error<DataError>([&] { parse(file.text); }, file.place, file.problem, file.remedy);
 }
 
 TEST(ReadText, CountsWordsForMissingValues) {
@@ -115,11 +165,6 @@ TEST(ReadText, CountsWordsForMissingValues) {
   EXPECT_EQ(table.values.array().isNaN().count(), 5);
   EXPECT_THAT(table.notes, ElementsAre("a.csv:2:2: 3 cells say that a value is missing, here "
                                        "'n.d.'"));
-}
-
-TEST(ReadText, RefusesDuplicateNames) {
-  expect_error<DataError>([] { parse("# c\nt,x,x\n0,1,2\n"); }, "a.csv:2:3",
-                          "columns 2 and 3 are both named 'x'", "name of its own");
 }
 
 TEST(ReadText, RefusesWhatIsNoText) {

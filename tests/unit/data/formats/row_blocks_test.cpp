@@ -120,12 +120,5 @@ TEST(RowBlocks, TimesOfChannelsThatDifferAreNoBlocks) {
                                    "times of their own", "leave out --memory");
 }
 
-TEST(RowBlocks, TakeAFractionOfTheMemory) {
-  const BlockSizes small = block_sizes(1U << 24U), large = block_sizes(std::size_t{1} << 34U);
-  EXPECT_EQ(small.block, std::size_t{1} << 19U);
-  EXPECT_EQ(large.block, std::size_t{1} << 22U);
-  EXPECT_EQ(large.longest, std::size_t{1} << 30U);
-}
-
 }  // namespace
 }  // namespace lacuna

@@ -40,13 +40,6 @@ void expect_same(const Table& table, const Table& expected) {
   EXPECT_EQ(table.run_column, expected.run_column);
 }
 
-TEST(TextRows, BlocksOfLinesAreReadAsTheWhole) {
-  const std::vector<std::string> blocks = {"made by hand\n# c\nt [s],x\n0,1\n", "# c\n\n1,2\n",
-                                           "", "2,3\n3,4"};
-  expect_same(rows_of(blocks), parse_text_table(blocks[0] + blocks[1] + blocks[3], "a.csv"));
-  EXPECT_THAT(rows_of(blocks).lines, ElementsAre(4, 7, 8, 9));
-}
-
 TEST(TextRows, DialectsGoOnFromBlockToBlock) {
   const std::vector<std::vector<std::string>> texts = {
       {"time,x\n23:59:59.9,1\n", "00:00:00.1,2\n", "00:00:00.3,3\n"},
@@ -76,34 +69,6 @@ TEST(TextRows, LinesOfAFileCountWhereADialectHasPutNamesInFront) {
         rows.finish();
       },
       "a:3:3", "'x' in column 'c4'", "number");
-}
-
-TEST(TextRows, AnErrorNamesTheLineOfTheFile) {
-  testing::expect_error<DataError>(
-      [] {
-        rows_of({"t,x\n0,1\n", "1,2\n2,x\n"});
-      },
-      "a.csv:4:2", "not a number", "number");
-}
-
-TEST(FindFormat, WantsMoreWhereMoreMayChangeTheAnswer) {
-  const auto shows = [](const std::string& begin) {
-    return find_format(begin, false, "a").has_value();
-  };
-  EXPECT_FALSE(shows(""));
-  EXPECT_FALSE(shows("t,x"));
-  EXPECT_FALSE(shows("t,x\n"));
-  EXPECT_FALSE(shows("t,x\n0,1\n"));
-  EXPECT_FALSE(shows("10000\nTIME,CH1\n0,1")) << "the line is half";
-  EXPECT_TRUE(shows("t,x\n0,1\n1,2\n2,3\n3"));
-  EXPECT_THROW(find_format("t,x\n", true, "a"), DataError);
-  EXPECT_THROW(find_format(std::string_view("a\0b", 3), false, "a"), DataError);
-}
-
-TEST(WholeLines, EndAtALineEnd) {
-  EXPECT_EQ(whole_lines("a\nb\nc", '\n'), "a\nb\n");
-  EXPECT_EQ(whole_lines("abc", '\n'), "");
-  EXPECT_EQ(whole_lines("a\rb\r", '\r'), "a\r") << "a line feed may come";
 }
 
 }  // namespace

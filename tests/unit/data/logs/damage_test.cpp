@@ -68,13 +68,5 @@ TEST(Damage, ASummaryEndsTheRecord) {
                                    "");
 }
 
-TEST(Damage, KindsOfLines) {
-  EXPECT_EQ(kind_of_bad_line("\"Average\",1", true, false), BadLine::Kind::Summary);
-  EXPECT_EQ(kind_of_bad_line("averages,1", true, false), BadLine::Kind::Other);
-  EXPECT_EQ(kind_of_bad_line("1,\x01", true, false), BadLine::Kind::Stray);
-  EXPECT_EQ(kind_of_bad_line("1,2", false, true), BadLine::Kind::Cut);
-  EXPECT_EQ(kind_of_bad_line("1,2", false, false), BadLine::Kind::Other);
-}
-
 }  // namespace
 }  // namespace lacuna

@@ -69,8 +69,8 @@ TEST(LogDialect, LabelsInCells) {
 
 TEST(LogDialect, UnitsInCells) {
   const Table table = table_of(
-      "Time,u,T\n0 sec,12.3 V,5 degC\n0.5 sec,900 mV,6 degC\n1 sec,12.5 V,7 degC\n");
-  EXPECT_THAT(columns_of(table), ElementsAre("Time [s]", "u [V]", "T [degC]"));
+      "Time,u,T\n0 sec,12.3 V,5\u00b0C\n0.5 sec,900 mV,6\u00b0C\n1 sec,12.5 V,7\u00b0C\n");
+  EXPECT_THAT(columns_of(table), ElementsAre("Time [s]", "u [V]", "T [\u00b0C]"));
   EXPECT_EQ(table.values.col(0), Eigen::Vector3d(0.0, 0.5, 1.0));
   EXPECT_EQ(table.values.col(1), Eigen::Vector3d(12.3, 0.9, 12.5));
 }
@@ -101,6 +101,34 @@ TEST(LogDialect, ChannelsWithTimesOfTheirOwn) {
   EXPECT_EQ(table.values({0, 2, 4}, 2), Eigen::Vector3d(2.0, 4.0, 6.0));
   EXPECT_TRUE(table.values({1, 3}, 2).array().isNaN().all());
   EXPECT_THAT(notes_of(table), HasSubstr("a row for each of the 5 times"));
+}
+
+TEST(LogDialect, AChannelWhoseTimesGoBackwardsIsAnError) {
+  testing::expect_error<DataError>([] { table_of("Time;x;Time;y\n0;1;0.5;2\n1;3;0.4;4\n"); },
+                                   "log.csv:3:3", "goes backwards", "sort its rows");
+}
+
+/// Which columns are left out, and what the others are called.
+TEST(LogDialect, ColumnsOfEachKind) {
+  const std::string times = ",10:00:00,4\n1,10:00:01,5\n";
+  const std::pair<std::string, std::vector<std::string>> files[] = {
+      {"id,when,mode,u,x,empty\n1,2023-01-01 10:00:00,on,1.5 V,2,\n"
+       "2,2023-01-01 10:00:01,off,1.6 V,3,\n5,2023-01-01 10:00:02,on,1.7 V,5,\n",
+       {"t [s]", "id", "u [V]", "x"}},
+      {",when,x\n0" + times + "2,10:00:02,7\n", {"t [s]", "x"}},
+      {",when,x\n0" + times + "4,10:00:02,7\n", {"t [s]", "c2", "x"}},
+      {"Time,A,A,B\n,temp,hum,temp\n10:00:00,1,2,3\n10:00:01,2,3,4\n10:00:02,3,4,6\n",
+       {"t [s]", "A_temp", "A_hum", "B_temp"}},
+      {"Zeit,Winkel,Druck\ns,deg,mbar\n10:00:00,1,2\n10:00:01,2,3\n10:00:02,3,4\n",
+       {"t [s]", "Winkel [deg]", "Druck [mbar]"}},
+      {"when,x\n2023-01-01,10:00:00,1\n2023-01-01,10:00:01,2\n2023-01-01,10:00:02,4\n",
+       {"t [s]", "x"}},
+      {"1;25.10.2026;02:59:59;+0200;1,5\n2;25.10.2026;02:00:00;+0100;2,5\n", {"t [s]", "c2"}}};
+  for (const auto& [text, names] : files) {
+    const Table table = table_of(text);
+    EXPECT_EQ(columns_of(table), names) << text;
+    EXPECT_EQ(table.values(1, 0), 1.0) << text;
+  }
 }
 
 /// The second channel ends early: nothing of it is in the lines that show the columns.

@@ -47,33 +47,17 @@ ColumnIndices time_and_state() {
   return columns;
 }
 
-TEST(FindRecords, OneWhereNothingIsMissing) {
+TEST(FindRecords, EndWhereValuesOrTimesAreMissingAsInTheWholeTable) {
   expect_same_ranges(even_samples(), time_and_state(), 1);
-}
-
-TEST(FindRecords, EndsAtMissingValuesInsideAndBetweenPieces) {
+  expect_same_ranges(even_samples(131073), time_and_state(), 1);  // a piece of one row is none
   Matrix values = even_samples();
   for (const Index row : {500, 131071, 131072, 262144}) values(row, 1) = kMissing;
   expect_same_ranges(values, time_and_state(), 4);
-}
-
-TEST(FindRecords, GoesOnBehindADropoutOfMoreThanAPiece) {
-  Matrix values = even_samples(500000);
+  values = even_samples(500000);  // a dropout of more than a piece
   values.col(1).segment(100000, 300000).setConstant(kMissing);
   expect_same_ranges(values, time_and_state(), 2);
-}
-
-TEST(FindRecords, WhereAllIsMissingThereIsNoRecord) {
-  const testing::TemporaryFolder folder;
-  Matrix values = even_samples();
-  values.col(1).setConstant(kMissing);
-  write_npy(folder.file("a.npy"), values);
-  EXPECT_THROW(find_records(NpyFile(folder.file("a.npy")), time_and_state(), {}), DataError);
-}
-
-TEST(FindRecords, EndsAtJumpsOfTimeBetweenPieces) {
   for (const Index row : {131071, 131072, 131073}) {
-    Matrix values = even_samples();
+    values = even_samples();
     values.col(0).tail(values.rows() - row).array() += 7.0;
     expect_same_ranges(values, time_and_state(), 2);
   }
@@ -89,16 +73,15 @@ TEST(FindRecords, EndsWhereTheNumberOfTheRecordChanges) {
   expect_same_ranges(values, columns, 2);
 }
 
-TEST(FindRecords, APieceOfOneRowBelongsToTheOneBefore) {
-  expect_same_ranges(even_samples(131073), time_and_state(), 1);
-}
-
-TEST(FindRecords, InfiniteValuesAreErrors) {
+TEST(FindRecords, OfNoValuesOrInfiniteOnesAreErrors) {
   const testing::TemporaryFolder folder;
-  Matrix values = even_samples();
-  values(200000, 1) = std::numeric_limits<double>::infinity();
-  write_npy(folder.file("a.npy"), values);
-  EXPECT_THROW(find_records(NpyFile(folder.file("a.npy")), time_and_state(), {}), DataError);
+  Matrix missing = even_samples(), infinite = missing;
+  missing.col(1).setConstant(kMissing);
+  infinite(200000, 1) = std::numeric_limits<double>::infinity();
+  for (const Matrix& values : {missing, infinite}) {
+    write_npy(folder.file("a.npy"), values);
+    EXPECT_THROW(find_records(NpyFile(folder.file("a.npy")), time_and_state(), {}), DataError);
+  }
 }
 
 }  // namespace

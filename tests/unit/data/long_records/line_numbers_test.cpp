@@ -28,14 +28,6 @@ TEST(LineNumbers, AreThoseThatWereGiven) {
   EXPECT_THAT(numbers.of(1999, 1), ElementsAre(lines.back()));
 }
 
-TEST(LineNumbers, OfRowsThatAreNotThereAreNotKnown) {
-  LineNumbers numbers;
-  EXPECT_THAT(numbers.of(0, 1), IsEmpty());
-  numbers.append(std::vector<std::size_t>{5, 6});
-  EXPECT_THAT(numbers.of(0, 2), ElementsAre(5, 6));
-  EXPECT_THAT(numbers.of(1, 2), IsEmpty());
-}
-
 TEST(LineNumbers, OfEveryThirdLineAreAllKnown) {
   LineNumbers numbers;
   std::vector<std::size_t> lines(2 * LineNumbers::kMost);

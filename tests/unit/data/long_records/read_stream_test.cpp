@@ -234,18 +234,6 @@ Pipeline linear_sindy() {
   return pipeline;
 }
 
-TEST(WithStream, OneRecordIsReadWithOnePassLessAndToTheSameBit) {
-  const TemporaryFolder folder;
-  const std::string path = saved(folder, "long.npy", lorenz_table(200000));
-  ColumnRoles roles;
-  roles.names = {{"t", "1"}, {"x", "2"}, {"y", "3"}, {"z", "4"}};
-  const Pipeline pipeline = preset("algorithm1");
-  const Tried once = tried(path, roles, pipeline);
-  EXPECT_EQ(once.times, 1);
-  EXPECT_EQ(once.records, 1U);
-  EXPECT_EQ(once.model, format_model(identify(read_stream({path}, roles), pipeline).model));
-}
-
 TEST(WithStream, BeginsAgainWhereARecordIsInterruptedAnywhere) {
   const TemporaryFolder folder;
   const Index samples = 300000;

@@ -91,12 +91,6 @@ TEST(SampleSource, ThinnedReadsPieceByPieceWhatIsLong) {
   }
 }
 
-TEST(SampleSource, ThinnedByOneIsTheRecordItself) {
-  const Dataset data = full_record();
-  const auto source = source_of(data.trajectories[0]);
-  EXPECT_EQ(thinned(source, 1), source);
-}
-
 TEST(SampleSource, CountsTheLastSampleOfAThinnedRecord) {
   const Dataset data = full_record();
   const auto source = source_of(data.trajectories[0]);

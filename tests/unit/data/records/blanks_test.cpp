@@ -25,23 +25,6 @@ Table with_blanks() {
   return table;
 }
 
-TEST(FillBlanks, GoesStraightFromValueToValue) {
-  const FilledTable filled = fill_blanks(with_blanks(), {1});
-  const Vector x = filled.table.values.col(1);
-  EXPECT_TRUE(x.isApprox(Vector{{2.0, 2.0, 4.0, 6.0, 8.0, 7.5, 7.0}}));
-  const double missing = number_of(Mark::Missing);
-  EXPECT_EQ(filled.marks.col(0), (Vector{{missing, 0.0, missing, missing, 0.0, missing, 0.0}}));
-  EXPECT_TRUE(std::isnan(filled.table.values(4, 2))) << "only the columns that are asked for";
-}
-
-TEST(FillBlanks, WithoutBlanksOrValuesThereIsNothingToFill) {
-  Table table = with_blanks();
-  table.values.col(1).setOnes();
-  EXPECT_EQ(fill_blanks(table, {1}).marks.size(), 0);
-  table.values.col(1).setConstant(kBlank);
-  EXPECT_TRUE(fill_blanks(table, {1}).table.values.col(1).array().isNaN().all());
-}
-
 TEST(AssignRoles, KeptBlanksAndJumpsBeginNoRecord) {
   Table table;
   table.source = "uneven.csv";
@@ -85,7 +68,8 @@ TEST(AssignRoles, AStateThatIsBlankIsMarkedAndAnInputCuts) {
   roles.blanks = Blanks::Mark;
   const Dataset data = assign_roles(with_blanks(), roles);
   ASSERT_EQ(data.trajectories.size(), 2u) << "row 4 has no input";
-  EXPECT_EQ(data.trajectories[0].samples(), 4);
+  EXPECT_EQ(data.trajectories[0].states, Eigen::Vector4d(2.0, 2.0, 4.0, 6.0))
+      << "straight from value to value";
   EXPECT_EQ(mark_of(data.trajectories[0].marks, 3, 0), Mark::Missing);
   EXPECT_EQ(mark_of(data.trajectories[1].marks, 0, 0), Mark::Missing);
   EXPECT_EQ(mark_of(data.trajectories[1].marks, 1, 0), Mark::Value);

@@ -43,15 +43,6 @@ TEST(Dataset, CountsSamplesAndKnowsItsDerivatives) {
   EXPECT_FALSE(Dataset{}.has_derivatives());
 }
 
-TEST(Dataset, KnowsWhichStateIsARate) {
-  Dataset data = sample();
-  EXPECT_FALSE(data.rate_state(0));
-  data.rate_of = {Index{1}, std::nullopt};
-  EXPECT_EQ(data.rate_state(0), Index{1});
-  EXPECT_FALSE(data.rate_state(1));
-  EXPECT_NO_THROW(check_dataset(data));
-}
-
 TEST(CheckDataset, RefusesBadNames) {
   Dataset data = sample();
   data.states[1].name = "x";
@@ -161,15 +152,6 @@ TEST(LongestRecord, IsTheFirstOfThoseWithMostSamples) {
     data.trajectories.push_back(record);
   }
   EXPECT_EQ(&longest_record(data), &data.trajectories[1]);
-}
-
-TEST(Dataset, StepsAndRecordsHaveToBeThere) {
-  EXPECT_THROW(longest_record({}), ArgumentError);
-  EXPECT_THROW(median_step({}), ArgumentError);
-  Dataset data;
-  data.trajectories.resize(1);
-  data.trajectories[0].time = Vector{{0.0, std::nan(""), 1.0}};
-  EXPECT_THROW(median_step(data), ArgumentError);
 }
 
 }  // namespace

@@ -6,20 +6,6 @@
 namespace lacuna {
 namespace {
 
-TEST(Hold, NamesAreReadAsTheyAreWritten) {
-  for (const Hold hold : {Hold::Zero, Hold::Linear, Hold::Smooth, Hold::Switching})
-    EXPECT_EQ(hold_named(to_string(hold)), hold);
-  EXPECT_EQ(hold_named("cubic"), std::nullopt);
-  EXPECT_EQ(hold_named(""), std::nullopt);
-}
-
-TEST(Hold, SaysTheCurveBetweenSamples) {
-  EXPECT_EQ(interpolation_of(Hold::Zero), Interpolation::Held);
-  EXPECT_EQ(interpolation_of(Hold::Linear), Interpolation::Linear);
-  EXPECT_EQ(interpolation_of(Hold::Switching), Interpolation::Linear);
-  EXPECT_EQ(interpolation_of(std::nullopt), Interpolation::Quintic);
-}
-
 TEST(Hold, ShowsWhereMostSamplesRepeat) {
   EXPECT_TRUE(shows_hold(Vector{{1.0, 1.0, 1.0, 2.0, 2.0, 2.0}}));
   EXPECT_FALSE(shows_hold(Vector{{1.0, 1.0, 2.0, 3.0, 3.0, 4.0}}));

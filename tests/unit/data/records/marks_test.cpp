@@ -3,10 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <utility>
-
-#include "lacuna/core/base/error.hpp"
-
 namespace lacuna {
 namespace {
 
@@ -57,19 +53,6 @@ TEST(Marks, GoWithTheRows) {
   const Trajectory part = rows_of(record, 1, 2);
   EXPECT_EQ(mark_of(part.marks, 1, 0), Mark::AtBottom);
   EXPECT_EQ(mark_of(part.marks, 0, 0), Mark::Value);
-}
-
-TEST(Marks, SamplesAndStatesHaveToBeThere) {
-  Trajectory record;
-  record.time = Vector::LinSpaced(3, 0.0, 2.0);
-  record.states = Matrix::Ones(3, 2);
-  for (const auto& [sample, state] : {std::pair<Index, Index>{-1, 0}, {3, 0}, {0, -1}, {0, 2}})
-    EXPECT_THROW(set_mark(record, sample, state, Mark::Outlier), ArgumentError);
-  EXPECT_THROW(values_of(record, 2), ArgumentError);
-  EXPECT_THROW(values_of(record, -1), ArgumentError);
-  EXPECT_EQ(mark_of(Matrix::Ones(3, 2), -1, 0), Mark::Value);
-  EXPECT_EQ(mark_of(Matrix::Ones(3, 2), 0, -1), Mark::Value);
-  EXPECT_EQ(filled(Matrix::Ones(3, 1), Matrix::Ones(3, 2)), Matrix::Ones(3, 1));
 }
 
 }  // namespace

@@ -237,26 +237,5 @@ TEST(AnalyseNoise, OutliersOfGrowingNoiseAreMeasuredByIt) {
   EXPECT_EQ(outlying_samples(trajectory, 0, sigma), std::vector<Index>{100});
 }
 
-TEST(Noise, SamplesHaveToFitAndToBeFinite) {
-  Dataset data;
-  data.states = {{"x", ""}};
-  data.trajectories.resize(1);
-  Trajectory& record = data.trajectories[0];
-  record.time = Vector::LinSpaced(20, 0.0, 1.0);
-  record.states = record.time.array().sin().matrix();
-  EXPECT_THROW(difference_sizes(record, 1, 1), ArgumentError);
-  EXPECT_THROW(outlying_samples(record, -1, 1.0), ArgumentError);
-  EXPECT_THROW(outlying_samples(record, 0, Vector(Vector::Ones(3))), ArgumentError);
-  EXPECT_EQ(difference_sizes(record, 0, Index{1} << 60).size(), 0);
-  record.states(7, 0) = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_THROW(analyse_noise(data), ArgumentError);
-  EXPECT_THROW(estimate_noise(data), ArgumentError);
-  record.marks = Matrix::Zero(20, 1);
-  record.marks(7, 0) = number_of(Mark::Missing);
-  EXPECT_NO_THROW(estimate_noise(data));
-  record.states.conservativeResize(10, 1);
-  EXPECT_THROW(estimate_noise(data), ArgumentError);
-}
-
 }  // namespace
 }  // namespace lacuna

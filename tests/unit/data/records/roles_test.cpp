@@ -114,11 +114,6 @@ TEST(AssignRoles, FillsTheDataset) {
   EXPECT_NO_THROW(check_dataset(data));
 }
 
-TEST(AssignRoles, WithoutDerivativesThereAreNone) {
-  EXPECT_EQ(assign_roles(table_of("t,x"), {}).trajectories[0].derivatives.size(), 0);
-  EXPECT_EQ(assign_roles(table_of("t,x"), {}).trajectories[0].inputs.cols(), 0);
-}
-
 TEST(AssignRoles, AStepMakesTheTimeAndGapsKeepTheirLength) {
   const Table table = parse_text_table("x\n1\n2\nnan\n4\n5\n", "a.csv");
   const Dataset data = assign_roles(table, {.step = 0.5});
@@ -197,12 +192,6 @@ TEST(FindColumns, TimeWithAUnitIsTheTimeWhereverItStands) {
   EXPECT_EQ(find_columns(table_of("x,time_ms,y"), {}).time, 1);
   EXPECT_EQ(find_columns(table_of("x,time_constant_ms,y"), {}).time, 0);
   EXPECT_EQ(find_columns(table_of("time_ms,t,x"), {}).time, 1) << "t goes before it";
-}
-
-TEST(AssignRoles, AGivenUnitOfTheTimeGoesBeforeTheHeader) {
-  const Table table = parse_text_table("t [s],x\n1,2\n2,3\n", "a.csv");
-  EXPECT_EQ(assign_roles(table, {}).time_unit, "s");
-  EXPECT_EQ(assign_roles(table, {.time_unit = "ms"}).time_unit, "ms");
 }
 
 }  // namespace

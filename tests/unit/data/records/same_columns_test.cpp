@@ -15,27 +15,6 @@ Table table_with(const std::string& header, const std::string& source) {
   return parse_text_table(header + "\n0,1,2\n1,2,3\n", source);
 }
 
-TEST(SameColumns, MayHaveAnotherOrder) {
-  const Table first = table_with("t,x,y", "a");
-  EXPECT_NO_THROW(check_same_columns(first, table_with("y,t,x", "b")));
-  testing::expect_error<DataError>([&] { check_same_columns(first, table_with("t,x,z", "b")); },
-                                   "b", "(t, x, z) are not those of a (t, x, y)", "same");
-}
-
-TEST(SameColumns, RolesAreThoseOfTheFirst) {
-  const ColumnRoles fixed = fixed_roles(table_with("t,x,y", "a"), {});
-  EXPECT_EQ(fixed.time, "t");
-  EXPECT_THAT(fixed.states, ::testing::ElementsAre("x", "y"));
-}
-
-TEST(SameColumns, HaveTheSameUnits) {
-  const Dataset first = assign_roles(table_with("t,x [V],y", "a"), {});
-  const Dataset other = assign_roles(table_with("t,x [mV],y", "b"), {});
-  EXPECT_NO_THROW(check_same_units(first, first, "b", "a"));
-  testing::expect_error<DataError>([&] { check_same_units(first, other, "b", "a"); }, "b",
-                                   "the unit of 'x' is mV, in a it is V", "same unit");
-}
-
 TEST(NameInOrder, ColumnsWithoutNamesGetThoseOfTheRoles) {
   Table with_time = parse_text_table("0,1,2\n1,2,3\n", "a");
   name_in_order(with_time, {.states = {"x"}, .inputs = {"u"}});

@@ -49,12 +49,6 @@ std::vector<double> uniform_times(int count) {
   return times;
 }
 
-TEST(Split, AWholeRecordStaysWhole) {
-  const Records records = split(at_times(uniform_times(50)));
-  EXPECT_EQ(ranges_of(records), "0+50");
-  EXPECT_THAT(records.notes, IsEmpty());
-}
-
 TEST(Split, AMissingValueCutsAndIsNoted) {
   const Records records = split("t,x,y\n0,1,1\n1,1,1\n2,,1\n3,nan,\n4,1,1\n5,1,1\n");
   EXPECT_EQ(ranges_of(records), "0+2 4+2");
@@ -170,13 +164,6 @@ TEST(SplitRecords, NumbersOfRecordsThatDoublesDoNotTellApartAreRefused) {
               {.trajectory = "run"});
       },
       "a.csv:4:1", "more digits than doubles hold", "number the records from 1");
-}
-
-TEST(GapThreshold, NeedsAUsualStep) {
-  EXPECT_DOUBLE_EQ(*gap_threshold({1, 1, 1, 1, 9}), 1.5);
-  EXPECT_DOUBLE_EQ(*gap_threshold({1, 1.5, 1.2, 1.4, 1.3, 80}), 7.5);
-  EXPECT_FALSE(gap_threshold({1, 2, 4, 8, 16, 32}));
-  EXPECT_FALSE(gap_threshold({1, 1, 9}));
 }
 
 }  // namespace

@@ -19,14 +19,6 @@ std::vector<std::string_view> fields_of(std::string_view line, char delimiter) {
   return fields;
 }
 
-TEST(ReadField, Numbers) {
-  EXPECT_EQ(read_field("1.5").value, 1.5);
-  EXPECT_EQ(read_field(" +2e-3 ").value, 0.002);
-  EXPECT_EQ(read_field("\"7\"").value, 7.0);
-  EXPECT_EQ(read_field("1,25").value, 1.25);
-  EXPECT_TRUE(std::isinf(read_field("-inf").value));
-}
-
 TEST(ReadField, MissingValues) {
   for (const char* text :
        {"", "  ", "NaN", "nan", "-nan", "NA", "n/a", "null", "None", "\"\"", "n.d.", "ND", "-",
@@ -60,19 +52,6 @@ TEST(ReadField, TheMinusSignOfTypesetting) {
   EXPECT_EQ(read_field("\u2212\u221e").value, -std::numeric_limits<double>::infinity());
   EXPECT_EQ(read_field("\u2212").kind, Kind::Missing) << "a dash";
   EXPECT_EQ(read_field("1\u22122").kind, Kind::Text);
-}
-
-TEST(SplitFields, TrimsAndKeepsEmptyFields) {
-  EXPECT_THAT(fields_of(" 1 ,, 2\r", ','), ElementsAre("1", "", "2"));
-  EXPECT_THAT(fields_of("1\t\t2", '\t'), ElementsAre("1", "", "2"));
-}
-
-TEST(SplitFields, HonoursQuotes) {
-  EXPECT_THAT(fields_of("\"Voltage, Ch 1\",'t'", ','), ElementsAre("Voltage, Ch 1", "t"));
-}
-
-TEST(SplitFields, RunsOfBlanksAreOne) {
-  EXPECT_THAT(fields_of("  1   2\t 3  ", ' '), ElementsAre("1", "2", "3"));
 }
 
 TEST(SplitFields, UnitsInBracketsBelongToTheName) {

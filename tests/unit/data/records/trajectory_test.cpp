@@ -3,10 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include <limits>
 #include <vector>
-
-#include "lacuna/core/base/error.hpp"
 
 namespace lacuna {
 namespace {
@@ -70,34 +67,6 @@ TEST(GoesOn, AfterAShortGapInTheSameFile) {
   EXPECT_TRUE(goes_on(before, after, 2.0));
   after.source = "other.csv, record 2, piece 2";
   EXPECT_FALSE(goes_on(before, after, 2.0));
-}
-
-TEST(Trajectory, StepsNeedTwoFiniteTimes) {
-  Trajectory record;
-  EXPECT_THROW(mean_step(record), ArgumentError);
-  record.time = Vector::Ones(1);
-  EXPECT_THROW(mean_step(record), ArgumentError);
-  record.time = Vector{{0.0, std::numeric_limits<double>::infinity()}};
-  EXPECT_THROW(mean_step(record), ArgumentError);
-  EXPECT_FALSE(uniform_step(record));
-}
-
-TEST(Trajectory, RowsHaveToBeThere) {
-  Trajectory record;
-  record.time = Vector::LinSpaced(4, 0.0, 3.0);
-  record.states = Matrix::Ones(4, 1);
-  EXPECT_THROW(rows_of(record, -1, 2), ArgumentError);
-  EXPECT_THROW(rows_of(record, 2, 3), ArgumentError);
-  EXPECT_THROW(rows_of(record, 1, -1), ArgumentError);
-  record.states = Matrix::Ones(3, 1);
-  EXPECT_THROW(rows_of(record, 0, 2), ArgumentError);
-}
-
-TEST(Trajectory, NothingGoesOnWithoutSamples) {
-  Trajectory record;
-  record.time = Vector::Zero(1);
-  EXPECT_FALSE(goes_on(record, Trajectory{}, 1.0));
-  EXPECT_FALSE(goes_on(Trajectory{}, record, 1.0));
 }
 
 }  // namespace

@@ -8,15 +8,6 @@
 namespace lacuna {
 namespace {
 
-TEST(SheetText, RowsAreLinesOfOneWidth) {
-  SheetRows rows("a.xlsx");
-  rows.put(0, 0, "t");
-  rows.put(0, 1, "a\tb\n\"c\"");
-  rows.put(2, 0, "1");
-  rows.put(2, 3, "");
-  EXPECT_EQ(rows.text(), "t\ta b  c \n\n1\t\n");
-}
-
 TEST(SheetText, NoRecordHasCellsWithoutEnd) {
   SheetRows rows("a.xlsx");
   EXPECT_THROW(rows.put(0, 16384, "1"), DataError);

@@ -68,15 +68,5 @@ TEST(TimeNames, OtherNamesSayNothing) {
     EXPECT_FALSE(unit_in_name(name)) << name;
 }
 
-TEST(TimeNames, OnlyTheWordTimeIsTheTimeWhereverItStands) {
-  EXPECT_TRUE(unit_in_name("time_ms")->is_of_time);
-  EXPECT_TRUE(unit_in_name("Time in s")->is_of_time);
-  EXPECT_FALSE(unit_in_name("time_constant_ms")->is_of_time);
-  EXPECT_FALSE(unit_in_name("latency_ms")->is_of_time);
-  EXPECT_TRUE(names_time("Zeit"));
-  EXPECT_TRUE(names_time("Time (log)"));
-  EXPECT_FALSE(names_time("items"));
-}
-
 }  // namespace
 }  // namespace lacuna

@@ -39,17 +39,6 @@ TEST(InUnits, ValuesAndRatesAreConverted) {
   EXPECT_EQ(data.notes[2], "run.csv: u is taken from mV to V (factor 0.001)");
 }
 
-TEST(InUnits, WhatDoesNotConvertKeepsItsUnitAndIsSaid) {
-  const Dataset data = in_units_of({{"th", "Inkr"}, {"u", "A"}}, records());
-  EXPECT_EQ(data.states[0].unit, "deg");
-  EXPECT_EQ(data.trajectories[0].states, records().trajectories[0].states);
-  EXPECT_THAT(data.notes, ElementsAre(HasSubstr("th is in deg, wanted is Inkr"),
-                                      HasSubstr("u is in mV, wanted is A")));
-  EXPECT_TRUE(do_not_convert("Inkr", "rad"));
-  EXPECT_FALSE(do_not_convert("mV", "V"));
-  EXPECT_FALSE(do_not_convert("", "rad"));
-}
-
 TEST(InUnits, NothingIsSaidWithoutUnits) {
   Dataset data = records();
   data.states[1].unit = "";

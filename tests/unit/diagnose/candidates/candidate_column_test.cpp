@@ -1,9 +1,18 @@
 // SPDX-License-Identifier: MIT
-#include "diagnose/candidates/candidate_column.hpp"
-
+// Candidates along records, their screening and what is kept of fits.
 #include <gtest/gtest.h>
 
+#include <functional>
+#include <set>
+
+#include "core/base/parallel.hpp"
+#include "diagnose/candidates/candidate_column.hpp"
+#include "diagnose/candidates/fit_memory.hpp"
+#include "diagnose/candidates/name_table.hpp"
+#include "diagnose/candidates/screening.hpp"
+#include "lacuna/effects/families.hpp"
 #include "support/assimilated_oscillator.hpp"
+#include "support/effect_forms.hpp"
 
 namespace lacuna {
 namespace {
@@ -54,14 +63,6 @@ TEST(CandidateColumn, LinearMemoryIsWhatItIsStepByStep) {
   EXPECT_LT((linear - stepwise).cwiseAbs().maxCoeff(), 1e-12);
 }
 
-TEST(CandidateColumn, StiffMemoryStaysStable) {
-  const std::vector<double> tau{1e-4};
-  const LinearisedRecord record = step_record();
-  const Matrix memory = memory_along(lag(1e-4), tau, support::oscillator().variables(), record);
-  EXPECT_TRUE(memory.allFinite());
-  EXPECT_NEAR(memory(100, 0), 1.0, 1e-9);
-}
-
 TEST(CandidateColumn, FormsThatAreNotFiniteAreNoCandidates) {
   const Dataset data = support::hidden_record(support::nothing, 0.01);
   const Assimilation fit = support::assimilated(data);
@@ -97,16 +98,6 @@ TEST(CandidateColumn, APlayThatNeverMovesIsNeverKnown) {
   EXPECT_LT(known_from(play, narrow, variables, step_record()).value(), 10.0);
 }
 
-TEST(CandidateColumn, NothingActsBeforeADelayIsKnown) {
-  const Dataset data = support::hidden_record(support::nothing, 0.01);
-  const Assimilation fit = support::assimilated(data);
-  const InnovationSystem system(fit);
-  const auto column = candidate_column(support::plain_candidate("delay(q,6)"), {}, fit, system);
-  ASSERT_TRUE(column.has_value());
-  EXPECT_EQ(column->head(500).norm(), 0.0);
-  EXPECT_GT(column->norm(), 0.0);
-}
-
 TEST(CandidateColumn, MemoryOfWhatIsDelayedFollowsLater) {
   const std::vector<double> tau{0.5};
   const LinearisedRecord record = step_record();
@@ -121,6 +112,159 @@ TEST(CandidateColumn, MemoryOfWhatIsDelayedFollowsLater) {
     for (const Index row : {150, 300, 600})
       EXPECT_NEAR(values[row], now(row - 100, 0) - 1.0, 1e-2) << row << bend;
   }
+}
+
+// Candidates that are screened, and the names of what is fitted.
+TEST(Screening, WhatIsKnownIsNotScreenedAgain) {
+  const Assimilation fit =
+      support::assimilated(support::hidden_record(support::dry_friction, 0.01));
+  const Screening screening(fit);
+  const std::vector<Candidate> few{support::plain_candidate("q^3"),
+                                   support::stop_candidate(0.0)};
+  std::vector<Candidate> more = few;
+  more.push_back(support::plain_candidate("sign(v)"));
+  const auto expect_same = [](const ScreenedCandidate& a, const ScreenedCandidate& b) {
+    EXPECT_EQ(a.candidate.form, b.candidate.form);
+    EXPECT_NEAR(a.gain, b.gain, 1e-9 * b.gain);
+    EXPECT_NEAR(a.coefficient, b.coefficient, 1e-9 * std::abs(b.coefficient));
+    EXPECT_EQ(a.tried, b.tried);
+    EXPECT_EQ(a.shapes.size(), b.shapes.size());
+  };
+  ScreeningMemory memory;
+  screen(few, screening, {}, RunContext{}, &memory);
+  const auto expected = screen(more, screening, {}, RunContext{});
+  const auto found = screen(more, screening, {}, RunContext{}, &memory);
+  ASSERT_EQ(found.size(), expected.size());
+  for (std::size_t i = 0; i < found.size(); ++i) expect_same(found[i], expected[i]);
+  const Assimilation other =
+      support::assimilated(support::hidden_record(support::nothing, 0.01));
+  EXPECT_NE(screening.key(), Screening(other).key());
+  const auto apart = screen(few, Screening(other), {}, RunContext{}, &memory);
+  const auto alone = screen(few, Screening(other), {}, RunContext{});
+  for (std::size_t i = 0; i < apart.size(); ++i) expect_same(apart[i], alone[i]);
+}
+
+TEST(Screening, ScoresOfACompleteModelAreChiSquared) {
+  const Assimilation fit = support::assimilated(support::hidden_record(support::nothing, 0.01));
+  const Screening screening(fit);
+  for (const std::string form : {"q^3", "sign(v)", "q*v", "1", "t*q", "F^2"})
+    EXPECT_LT(screening.score(support::plain_candidate(form), {}).gain, 12.0) << form;
+}
+
+/// Two bends between an arm and its drive, of which the nominal model has the slope 60.
+struct Bends {
+  Scope scope = support::scope_of(support::model_of_lines(
+      {{"q", {{"v", 1.0}}}, {"v", {{"q", -60.0}, {"u", 60.0}}}}, {"u"}));
+  NamingOptions options;
+
+  std::vector<std::string> names(double coefficient,
+                                 const std::vector<Stage<Effect>>& effects) const {
+    const FittedEffect fitted{
+        support::candidate_of<kPiecewiseLinear>(scope, 1, "clip(q-u,-edge,edge)"),
+        Vector::Constant(1, 0.3), coefficient, 0.1};
+    std::vector<std::string> result;
+    for (const Name& name : NameTable{effects, scope, options}.names_of(fitted, scope.model))
+      result.push_back(name.name);
+    return result;
+  }
+};
+
+TEST(NameTable, NamesFollowFromTheFittedNumbers) {
+  const Bends bends;
+  const std::vector<Stage<Effect>> effects{FamilyEffect<kDeadZone>(),
+                                           FamilyEffect<kPiecewiseLinear>()};
+  EXPECT_EQ(bends.names(30.0, effects), std::vector<std::string>{"piecewise-linear"});
+  EXPECT_EQ(bends.names(60.0, effects), std::vector<std::string>{"dead-zone"});
+}
+
+/// What decides a fit of an oscillator with a stop.
+struct Asked {
+  Dataset data = support::hidden_record(support::nothing, 0.01);
+  Assimilation start = support::assimilated(data);
+  OdeModel nominal = start.model;
+  AssimilationOptions options = support::oscillator_fit_options();
+  std::vector<FittedEffect> effects = {
+      {support::stop_candidate(0.0), Vector::Constant(1, -0.1), -2.0}};
+  std::string kind = "exact";
+
+  std::string key() const {
+    return fit_key(kind, {data, nominal, options, RunContext{}}, start, effects);
+  }
+};
+
+TEST(FitKey, TellsWhateverDecides) {
+  const std::vector<std::function<void(Asked&)>> changes{
+      [](Asked&) {},
+      [](Asked& a) { a.kind = "rough"; },
+      [](Asked& a) { a.data.trajectories[0].states(5, 1) += 1e-15; },
+      [](Asked& a) { a.data.trajectories[0].inputs(5, 0) += 1e-15; },
+      [](Asked& a) { a.data.trajectories[0].time[5] += 1e-9; },
+      [](Asked& a) { a.data.inputs[0].hold = Hold::Zero; },
+      [](Asked& a) {
+        a.data.reconstructed = {false, true};
+      },
+      [](Asked& a) {
+        a.data.rate_of = {Index{1}, std::nullopt};
+      },
+      [](Asked& a) { a.start.records[0].grid.stride = 3; },
+      [](Asked& a) { a.nominal = support::oscillator(); },
+      [](Asked& a) { a.options.passes += 1; },
+      [](Asked& a) { a.options.free.pop_back(); },
+      [](Asked& a) {
+        a.options.priors.push_back({a.options.free[0], 1.0, 0.1});
+      },
+      [](Asked& a) { a.start.deviance += 1.0; },
+      [](Asked& a) { a.start.records[0].path(7, 0) += 1e-12; },
+      [](Asked& a) { a.start.noise.disturbance[1] *= 1.0 + 1e-15; },
+      [](Asked& a) { a.start.noise.measurement[0] = 0.02; },
+      [](Asked& a) { a.effects[0].coefficient = -2.1; },
+      [](Asked& a) { a.effects[0].shapes[0] = -0.11; },
+      [](Asked& a) { a.effects[0].candidate.equation = 0; },
+      [](Asked& a) { a.effects[0].candidate.place = Place::Channel; },
+      [](Asked& a) { a.effects[0].candidate.form = parse_expression("q^2"); },
+      [](Asked& a) { a.effects[0].candidate.shapes[0].high += 1.0; },
+      [](Asked& a) { a.effects[0].candidate.least = 0.0; },
+      [](Asked& a) { a.effects.push_back(a.effects[0]); },
+      [](Asked& a) { a.effects.clear(); }};
+  std::set<std::string> keys;
+  for (const auto& change : changes) {
+    Asked asked;
+    change(asked);
+    keys.insert(asked.key());
+  }
+  EXPECT_EQ(keys.size(), changes.size());
+}
+
+/// An explanation that takes 10 numbers.
+Explanation explanation_of(double deviance) {
+  Explanation explanation{{}, {support::oscillator()}};
+  explanation.fit.measured = {Matrix::Zero(5, 2)};
+  explanation.fit.deviance = deviance;
+  return explanation;
+}
+
+/// Asks for an explanation. @return its deviance, and whether it was fitted now.
+std::pair<double, bool> asked_for(FitMemory& memory, const std::string& key, double deviance) {
+  bool fitted = false;
+  const Explanation found = memory.explanation(key, [&] {
+    fitted = true;
+    return explanation_of(deviance);
+  });
+  return {found.fit.deviance, fitted};
+}
+
+TEST(FitMemory, KeepsWhatThereIsRoomFor) {
+  FitMemory memory(10 * FitMemory::kFewest + 5);
+  for (Index i = 0; i <= FitMemory::kFewest; ++i) asked_for(memory, std::to_string(i), 1.0);
+  for (Index i = 0; i < FitMemory::kFewest; ++i)
+    EXPECT_FALSE(asked_for(memory, std::to_string(i), 2.0).second) << i;
+  EXPECT_EQ(asked_for(memory, std::to_string(FitMemory::kFewest), 2.0), std::pair(2.0, true));
+}
+
+TEST(FitMemory, AFitThatFailsIsNotKept) {
+  FitMemory memory;
+  EXPECT_THROW(memory.explanation("a", []() -> Explanation { throw Cancelled(); }), Cancelled);
+  EXPECT_TRUE(asked_for(memory, "a", 1.0).second);
 }
 
 }  // namespace

@@ -1,14 +1,54 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/diagnose/candidates/explanation.hpp"
-
 #include <gtest/gtest.h>
 
+#include <Eigen/QR>
 #include <cmath>
 
+#include "diagnose/candidates/candidate_column.hpp"
+#include "diagnose/candidates/shape_step.hpp"
+#include "lacuna/diagnose/candidates/explanation.hpp"
 #include "support/assimilated_oscillator.hpp"
 
 namespace lacuna {
 namespace {
+
+FittedEffect fitted(Candidate candidate, const Vector& shapes = Vector(0),
+                    double coefficient = -0.3) {
+  return {std::move(candidate), shapes, coefficient, 0.0};
+}
+
+/// z' = (q - z) / lag, z = 0 at first; the form is z.
+Candidate lagging(const std::string& name) {
+  Candidate candidate = support::plain_candidate(name);
+  candidate.shapes = {{"lag", "s", 0.1, 10.0, true}};
+  candidate.memory = {
+      {name, parse_expression("(q-" + name + ")/lag"), parse_expression("0"), false}};
+  return candidate;
+}
+
+AugmentedProblem augmented(const std::vector<FittedEffect>& effects) {
+  const OdeModel nominal = support::oscillator();
+  const Dataset data = support::oscillator_record();
+  return augment(nominal, data, free_coefficients(nominal), effects,
+                 {data.trajectories.front().states});
+}
+
+TEST(Augment, AMemoryIsAStateThatWasNotMeasuredWithItsSolution) {
+  constexpr double kLag = 0.4;
+  const AugmentedProblem made = augmented({fitted(lagging("z"), Vector::Constant(1, kLag))});
+  ASSERT_EQ(made.model.dimension(), 3);
+  EXPECT_EQ(made.data.states[2].name, "z");
+  EXPECT_EQ(made.data.reconstructed, (std::vector<bool>{false, false, true}));
+  const Trajectory& record = made.data.trajectories[0];
+  // z' = (sin 2t - z) / T from z = 0: a sine behind the other, and what is left of the start.
+  const double w = 2.0 * kLag, size = 1.0 / (1.0 + w * w);
+  for (Index i = 0; i < record.samples(); i += 50) {
+    const double t = record.time[i];
+    const double z =
+        size * (std::sin(2.0 * t) - w * std::cos(2.0 * t) + w * std::exp(-t / kLag));
+    EXPECT_NEAR(record.states(i, 2), z, 2e-4) << t;
+  }
+}
 
 TEST(Explanation, FitsCoefficientAndShapesJointly) {
   const Dataset data = support::hidden_record(
@@ -60,49 +100,6 @@ TEST(Explanation, AFitOfAFreeInputIsWhereTheSameFitEnds) {
   EXPECT_NEAR(again.fit.deviance, found.fit.deviance, 1.0);
 }
 
-TEST(Explanation, MemoryBecomesAStateOfTheModel) {
-  const Dataset data = support::hidden_record(support::nothing, 0.01);
-  const Assimilation base = support::assimilated(data);
-  Candidate lag = support::plain_candidate("lagged-F");
-  lag.memory = {{"lagged", parse_expression("(F-lagged)/tau"), parse_expression("F")}};
-  lag.shapes = {{"tau", "s", 1e-3, 10.0, true}};
-  const AugmentedProblem problem =
-      augment(support::oscillator(), data, base.free, {{lag, Vector::Constant(1, 0.5), 1.0}},
-              {data.trajectories[0].states});
-  EXPECT_EQ(problem.model.dimension(), 3);
-  EXPECT_EQ(problem.model.states()[2].name, "lagged");
-  EXPECT_FALSE(problem.data.is_measured(2));
-  EXPECT_TRUE(problem.data.is_measured(1));
-  ASSERT_EQ(problem.effect_places.size(), 1u);
-  EXPECT_EQ(problem.effect_places[0], (CoefficientPlace{1, 3}));
-}
-
-TEST(Explanation, KeepsWhatTheNominalModelSaysBesideItsEquations) {
-  const Dataset data = support::hidden_record(support::dry_friction, 0.01);
-  const OdeModel nominal = support::oscillator()
-                               .with_initial({InitialValue{.value = 1.5}, std::nullopt})
-                               .with_outputs({{"angle", "m", parse_expression("q")}});
-  const Explanation found = explain(
-      {data, nominal, support::oscillator_fit_options(), RunContext{}},
-      support::assimilated(data), {{support::plain_candidate("sign(v)"), Vector(0), -0.2}});
-  ASSERT_TRUE(found.fit.model.initial()[0].has_value());
-  EXPECT_EQ(found.fit.model.initial()[0]->value, 1.5);
-  EXPECT_EQ(found.fit.model.outputs().size(), 1U);
-}
-
-TEST(Explanation, SensorsMayHaveSummandsToo) {
-  Dataset data = support::hidden_record(support::nothing, 0.005);
-  data.trajectories[0].states.col(0).array() += 0.1;
-  const Assimilation base = support::assimilated(data);
-  Candidate offset = support::plain_candidate("1");
-  offset.place = Place::Channel;
-  offset.equation = 0;
-  const Explanation found =
-      explain({data, base.model, support::oscillator_fit_options(), RunContext{}}, base,
-              {{offset, Vector(0), 0.0}});
-  EXPECT_NEAR(found.effects[0].coefficient, 0.1, 0.005);
-}
-
 TEST(Explanation, AMemoryWithoutFiniteValuesIsNoExplanation) {
   const Dataset data = support::hidden_record(support::nothing, 0.01);
   const Assimilation base = support::assimilated(data);
@@ -113,6 +110,55 @@ TEST(Explanation, AMemoryWithoutFiniteValuesIsNoExplanation) {
       explain({data, base.model, support::oscillator_fit_options(), RunContext{}}, base,
               {{late, Vector(0), 1.0}});
   EXPECT_FALSE(std::isfinite(found.fit.deviance)) << found.fit.deviance;
+}
+
+/// A stop of which coefficient and edge were fitted.
+struct FittedStop {
+  Dataset data = support::hidden_record(
+      [](double, double q, double) { return -3.0 * std::min(q + 0.2, 0.0); }, 0.002);
+  Assimilation base = support::assimilated(data);
+  AssimilationOptions options = support::oscillator_fit_options();
+  RunContext context = {};
+  JointFitTask task{data, base.model, options, context};
+  Explanation found =
+      explain(task, base, {{support::stop_candidate(0.0), Vector::Constant(1, -0.1), -2.0}});
+};
+
+/// Columns of everything that was fitted and of the edge, which moves the column of the stop.
+Matrix all_columns(const Explanation& at) {
+  const InnovationSystem system(at.fit);
+  const FittedEffect& stop = at.effects[0];
+  constexpr double kReach = 1e-4;
+  const auto column = [&](double edge) {
+    return *candidate_column(stop.candidate, {&edge, 1}, at.fit, system);
+  };
+  const double edge = stop.shapes[0];
+  const Matrix fitted = system.fitted_columns();
+  Matrix all(fitted.rows(), fitted.cols() + 1);
+  all << fitted,
+      stop.coefficient * (column(edge + kReach) - column(edge - kReach)) / (2.0 * kReach);
+  return all;
+}
+
+TEST(ShapeStep, ErrorsAreThoseOfTheJointProblem) {
+  const FittedStop stop;
+  const Explanation joint = with_joint_errors(stop.task, stop.found);
+  // (X'X)^-1 by the triangular factor of X: columns of its inverse.
+  const Matrix columns = all_columns(stop.found);
+  const Matrix r = Eigen::HouseholderQR<Matrix>(columns)
+                       .matrixQR()
+                       .topRows(columns.cols())
+                       .triangularView<Eigen::Upper>();
+  const Matrix inverse = r.inverse();
+  const Vector deviations = inverse.rowwise().norm();
+  const Index p = joint.fit.covariance.rows();
+  ASSERT_EQ(deviations.size(), p + 1);
+  for (Index j = 0; j < p; ++j)
+    EXPECT_NEAR(std::sqrt(joint.fit.covariance(j, j)) / deviations[j], 1.0, 0.02);
+  EXPECT_NEAR(joint.effects[0].deviation / deviations[p - 1], 1.0, 0.02);
+  EXPECT_NEAR(joint.effects[0].shape_deviations[0] / deviations[p], 1.0, 0.02);
+  EXPECT_GT(joint.effects[0].deviation, 1.05 * stop.found.effects[0].deviation)
+      << "an edge that may move leaves the coefficient less certain";
 }
 
 }  // namespace

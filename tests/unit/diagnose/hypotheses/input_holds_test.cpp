@@ -6,10 +6,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <utility>
 
 #include "core/base/random.hpp"
+#include "lacuna/model/files/ode_text.hpp"
 #include "support/asked.hpp"
 #include "support/assimilated_oscillator.hpp"
 #include "support/held_oscillator.hpp"
@@ -23,6 +23,12 @@ ChosenHolds chosen(const Dataset& data) {
 }
 
 std::optional<Hold> hold_of(const ChosenHolds& chosen) { return chosen.model.inputs()[0].hold; }
+
+/// A held force on an oscillator with dry friction, which the model lacks.
+Dataset rubbing() {
+  return support::held_record(Hold::Zero, 2e-3, 9,
+                              [](double v) { return -0.3 * std::tanh(v / 0.01); });
+}
 
 class TrueHold : public ::testing::TestWithParam<Hold> {};
 
@@ -38,29 +44,11 @@ INSTANTIATE_TEST_SUITE_P(All, TrueHold,
                          ::testing::Values(Hold::Zero, Hold::Linear, Hold::Switching),
                          [](const auto& hold) { return to_string(hold.param); });
 
-TEST(InputHolds, ASmoothInputStaysSmooth) {
-  const ChosenHolds found = chosen(support::hidden_record(support::nothing, 0.01));
-  EXPECT_EQ(hold_of(found), Hold::Smooth);
-  EXPECT_TRUE(notes_on_holds(found.model, found.open).empty());
-}
-
 TEST(InputHolds, OfADenseInputLinesAndSwitchesAreNotAsked) {
   support::Asked asked{.records = observed(support::hidden_record(support::nothing, 0.01))};
   EXPECT_THAT(choose_holds(asked.problem()).trail, ::testing::SizeIs(2));
   asked.options.decision.dense_input = 0.0;
   EXPECT_THAT(choose_holds(asked.problem()).trail, ::testing::SizeIs(4)) << "none is dense";
-}
-
-/// On a sine of 20 samples a period the slope changes by 2 sin(pi/20) = 0.31 of itself.
-TEST(InputHolds, DensityIsTheChangeOfTheSlope) {
-  support::Asked asked{.records = observed(support::held_record(Hold::Zero, 1e-3))};
-  auto input = asked.records.data.trajectories.front().inputs.col(0);
-  for (Index i = 0; i < input.size(); ++i)
-    input[i] = std::sin(2.0 * std::numbers::pi * static_cast<double>(i) / 20.0);
-  for (const auto& [limit, asked_holds] : {std::pair{0.30, 4u}, {0.33, 2u}}) {
-    asked.options.decision.dense_input = limit;
-    EXPECT_THAT(choose_holds(asked.problem()).trail, ::testing::SizeIs(asked_holds)) << limit;
-  }
 }
 
 /// Lines from each fifth sample to the next were put there by who made the record.
@@ -83,8 +71,7 @@ TEST(InputHolds, OfAnInterpolatedInputNoneIsAsked) {
 }
 
 TEST(InputHolds, WhatIsMissingDoesNotChangeThem) {
-  const auto friction = [](double v) { return -0.3 * std::tanh(v / 0.01); };
-  EXPECT_EQ(hold_of(chosen(support::held_record(Hold::Zero, 2e-3, 9, friction))), Hold::Zero);
+  EXPECT_EQ(hold_of(chosen(rubbing())), Hold::Zero);
 }
 
 TEST(InputHolds, WhatTheModelSaysIsNotAsked) {
@@ -135,19 +122,6 @@ TEST(InputHolds, SamplesOnLinesContradictAModelThatSaysHeld) {
   EXPECT_EQ(hold_of(found(true)), Hold::Zero) << "what is more likely is not given up";
 }
 
-TEST(InputHolds, AnInputThatStandsStillHasNone) {
-  Dataset data = support::hidden_record(support::nothing, 0.01);
-  data.trajectories.front().inputs.setConstant(0.3);
-  EXPECT_EQ(hold_of(chosen(data)), std::nullopt);
-}
-
-TEST(InputHolds, AreNotDoubtedWithoutEffects) {
-  const support::Asked asked{.records = observed(support::held_record(Hold::Zero, 2e-3))};
-  CompositeModel composite = asked.bare();
-  composite.left = {{.equation = 1, .sigma = 10.0, .relative = 0.1}};
-  EXPECT_TRUE(rival_holds(asked.problem(), {{0, Hold::Smooth, 0.1}}, composite).models.empty());
-}
-
 /// Dry friction beside a force that is held.
 class HoldsBesideFriction : public ::testing::Test {
  protected:
@@ -161,9 +135,7 @@ class HoldsBesideFriction : public ::testing::Test {
     return composite;
   }
 
-  support::Asked asked_{
-      .records = observed(support::held_record(
-          Hold::Zero, 2e-3, 9, [](double v) { return -0.3 * std::tanh(v / 0.01); }))};
+  support::Asked asked_{.records = observed(rubbing())};
 };
 
 TEST_F(HoldsBesideFriction, AreJudgedAnew) {
@@ -196,13 +168,6 @@ TEST_F(HoldsBesideFriction, AreSettledWhereNothingDisturbsTheModel) {
       rival_holds(asked_.problem(), {{0, Hold::Linear, 0.0}}, composite);
   EXPECT_TRUE(rivals.models.empty());
   EXPECT_EQ(rivals.most_parameters, 1) << "as many as the effect has";
-}
-
-TEST_F(HoldsBesideFriction, AreNotBoundedWhereSomethingDisturbsTheModel) {
-  const CompositeModel composite = composite_under(Hold::Zero, "tanh(v/0.5)");
-  const RivalHolds rivals =
-      rival_holds(asked_.problem(), {{0, Hold::Linear, 0.0}}, composite);
-  EXPECT_FALSE(rivals.most_parameters.has_value());
 }
 
 }  // namespace

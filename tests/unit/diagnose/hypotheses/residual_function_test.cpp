@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "diagnose/hypotheses/residual_function.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <string>
 
+#include "diagnose/hypotheses/input_noise.hpp"
+#include "diagnose/hypotheses/residual_function.hpp"
 #include "support/asked.hpp"
 #include "support/assimilated_oscillator.hpp"
 
@@ -31,27 +32,6 @@ TEST(ResidualFunction, SaysOfWhichVariableTheStructureIsAFunction) {
             "describes the residual; explains nothing");
 }
 
-TEST(ResidualFunction, StandsInTheModelWhenAsked) {
-  support::Asked asked = support::asked(support::ripple);
-  asked.options.fill_gap = true;
-  const CompositeModel bare = asked.bare();
-  const Proposals made = proposed(asked, bare);
-  ASSERT_EQ(made.composites.size(), 1u);
-  const CompositeModel& composite = made.composites[0].composite;
-  EXPECT_TRUE(composite.unnamed->filled);
-  EXPECT_TRUE(composite.named.empty());
-  // The formula with the part of q in the nominal term is what is hidden.
-  const LinearisedRecord& record = composite.explanation.fit.records[0];
-  const Variables variables = asked.nominal.variables();
-  const double more = composite.explanation.fit.model.coefficient(1, "q") + 4.0;
-  Vector sum = more * evaluate_on(record, variables, parse_expression("q"));
-  for (const FittedEffect& effect : composite.explanation.effects)
-    sum += effect.coefficient *
-           evaluate_on(record, variables, bind_form(effect.candidate, as_span(effect.shapes)));
-  const Vector hidden = evaluate_on(record, variables, parse_expression("1.5*sin(6*q)"));
-  EXPECT_LT((sum - hidden).squaredNorm(), 0.02 * hidden.squaredNorm());
-}
-
 TEST(ResidualFunction, ALineOfTheSpectrumIsPeriodic) {
   const support::Asked asked =
       support::asked([](double t, double, double) { return 0.5 * std::sin(5.0 * t); });
@@ -59,43 +39,6 @@ TEST(ResidualFunction, ALineOfTheSpectrumIsPeriodic) {
   ASSERT_EQ(made.composites.size(), 1u);
   EXPECT_TRUE(made.composites[0].composite.unnamed->periodic);
   EXPECT_FALSE(made.composites[0].composite.unnamed->memory);
-}
-
-TEST(ResidualFunction, IsNotAskedForWhereNothingIsSubstantial) {
-  support::Asked asked = support::asked(support::ripple);
-  const CompositeModel bare = asked.bare();
-  asked.options.decision.significance = 1.01 * bare.left.front().sigma;
-  EXPECT_TRUE(proposed(asked, bare).composites.empty());
-  const support::Asked complete = support::asked(support::nothing);
-  EXPECT_TRUE(proposed(complete, complete.bare()).composites.empty());
-}
-
-/// Dry friction as it is named, beside which 0.3 q v is left.
-CompositeModel friction_named(const support::Asked& asked) {
-  CompositeModel best = asked.bare();
-  best.explanation = explain_on(asked.problem(), *best.base, best.base->fitted,
-                                {{support::plain_candidate("sign(v)"), Vector(0), 0.0, 0.0}});
-  best.named = {{.equation = 1, .name = "dry"}};
-  best.left = test_disturbances(best.explanation.fit, asked.context);
-  return best;
-}
-
-TEST(ResidualFunction, PolynomialsFillWhatNamedEffectsLeave) {
-  support::Asked asked = support::asked(
-      [](double t, double q, double v) { return support::dry_friction(t, q, v) + 0.3 * q * v; },
-      0.002);
-  const CompositeModel best = friction_named(asked);
-  EXPECT_TRUE(proposed(asked, best).composites.empty()) << "only when asked";
-  asked.options.fill_gap = true;
-  const Proposals made = proposed(asked, best);
-  ASSERT_EQ(made.composites.size(), 1u);
-  const CompositeModel& composite = made.composites[0].composite;
-  EXPECT_NEAR(composite.explanation.fit.model.coefficient(1, "q*v"), 0.3, 0.02);
-  EXPECT_NEAR(composite.explanation.fit.model.coefficient(1, "sign(v)"), -0.3, 0.02);
-  EXPECT_EQ(composite.named.size(), 1u) << "the name stays";
-  for (const FittedEffect& effect : composite.explanation.effects)
-    EXPECT_GE(std::abs(effect.coefficient), 3.0 * effect.deviation);
-  EXPECT_LT(evidence_of(composite).deviance, evidence_of(best).deviance);
 }
 
 TEST(ResidualFunction, WhatHappensOnceIsNotPeriodic) {
@@ -106,6 +49,115 @@ TEST(ResidualFunction, WhatHappensOnceIsNotPeriodic) {
   ASSERT_EQ(made.composites.size(), 1u);
   ASSERT_TRUE(made.composites[0].composite.unnamed);
   EXPECT_FALSE(made.composites[0].composite.unnamed->periodic);
+}
+
+/// The oscillator with a hidden function of q, and what is said of it.
+CompositeModel described(const support::Hidden& hidden) {
+  const support::Asked asked = support::asked(hidden, 0.002);
+  const Proposals made = ResidualFunction().propose(asked.problem(), asked.bare());
+  EXPECT_EQ(made.composites.size(), 1u);
+  CompositeModel composite = made.composites.at(0).composite;
+  EXPECT_TRUE(composite.unnamed);
+  EXPECT_EQ(composite.unnamed->variables, std::vector<std::string>{"q"});
+  return composite;
+}
+
+/// Expects a formula with a function in it that is the hidden one along the record.
+void expect_formula(const std::string& function, const support::Hidden& hidden) {
+  const CompositeModel composite = described(hidden);
+  const std::string& formula = composite.unnamed->formula;
+  ASSERT_NE(formula.find(function), std::string::npos) << formula;
+  const LinearisedRecord& record = composite.base->fitted.records[0];
+  const Vector found = evaluate_on(record, composite.base->fitted.model.variables(),
+                                   parse_expression(formula));
+  const Vector q = evaluate_on(record, composite.base->fitted.model.variables(),
+                               parse_expression("q"));
+  const Vector truth = q.unaryExpr([&](double x) { return hidden(0.0, x, 0.0); });
+  EXPECT_LT((found - truth).squaredNorm(), 0.003 * truth.squaredNorm()) << formula;
+}
+
+TEST(CurveFormula, IsAPower) {
+  expect_formula("abs(q)^", [](double, double q, double) {
+    return -4.0 * std::copysign(std::pow(std::abs(q), 2.3), q);
+  });
+}
+
+TEST(CurveFormula, IsAnExponential) {
+  expect_formula("exp(", [](double, double q, double) { return -0.3 * std::exp(2.5 * q); });
+}
+
+TEST(CurveFormula, OfAPhaseThatIsNoneIsWithoutIt) {
+  const std::string formula =
+      described([](double, double q, double) { return -3.0 * std::sin(4.0 * q); })
+          .unnamed->formula;
+  ASSERT_NE(formula.find("sin("), std::string::npos) << formula;
+  EXPECT_EQ(formula.find('+'), std::string::npos) << formula;
+}
+
+TEST(CurveFormula, IsNoneWhereAllFallShortOfTheCurve) {
+  const Unnamed said = *described([](double, double q, double) {
+                          return 2.0 * std::sin(4.0 * q + 0.7) +
+                                 8.0 * std::exp(-50.0 * (q - 0.1) * (q - 0.1));
+                        }).unnamed;
+  EXPECT_GT(said.explained, 0.9);
+  EXPECT_EQ(said.formula, "");
+}
+
+FittedEffect plain_effect(const std::string& form) {
+  return {support::plain_candidate(form), Vector(0), 0.0, 0.0};
+}
+
+constexpr Index kTried = 100;  // candidates of which an effect was the best
+
+/// The oscillator with effects that are called as their forms are.
+CompositeModel named(const support::Asked& asked, const std::vector<FittedEffect>& effects) {
+  const Problem problem = asked.problem();
+  CompositeModel composite = asked.bare();
+  composite.explanation =
+      explain_on(problem, *composite.base, composite.base->fitted, effects);
+  for (const FittedEffect& effect : effects)
+    composite.named.push_back(
+        {.equation = 1, .name = effect.candidate.form.to_string(), .tried = kTried});
+  composite.left = structure_left(problem, composite.explanation.fit);
+  return composite;
+}
+
+/// A function of q of which no formula leaves nothing.
+double bumps(double, double q, double) { return -4.0 * q * q * q + 0.4 * std::sin(9.0 * q); }
+
+TEST(WrongShapes, AreThoseThatACurveOfTheirArgumentShowsToBeOthers) {
+  const support::Asked asked = support::asked(bumps, 0.002);
+  const CompositeModel composite =
+      named(asked, {plain_effect("v*abs(v)"), plain_effect("q^3"), plain_effect("q^5")});
+  ASSERT_TRUE(leaves_structure(composite, asked.options.decision));
+  const auto wrong = wrong_shapes(asked.problem(), composite);
+  ASSERT_TRUE(wrong);
+  EXPECT_EQ(wrong->effects, (std::vector<std::size_t>{0, 1, 2}))
+      << "the curve needs no drag beside it";
+  EXPECT_EQ(wrong->better.composite, "a free curve of q in dv/dt");
+  EXPECT_TRUE(wrong->better.taken);
+  EXPECT_LT(wrong->better.value, wrong->better.threshold - asked.options.decision.undecided);
+}
+
+TEST(WrongShapes, IsAPlainTermWhereALawLeavesNothing) {
+  const support::Asked asked = support::asked(
+      [](double, double q, double) { return -3.0 * std::sin(2.0 * q); }, 0.002);
+  const CompositeModel composite = named(asked, {plain_effect("q^3")});
+  ASSERT_TRUE(has_residual_structure(composite.left, asked.options.decision));
+  const auto wrong = wrong_shapes(asked.problem(), composite);
+  ASSERT_TRUE(wrong);
+  EXPECT_EQ(wrong->effects, std::vector<std::size_t>{0});
+  EXPECT_EQ(wrong->better.composite, "one formula of q in dv/dt");
+}
+
+TEST(WrongShapes, AreNoneWhereTheCurveLeavesAsMuch) {
+  const auto hum = [](double t, double q, double) {
+    return -4.0 * q * q * q + 0.5 * std::sin(9.0 * t);
+  };
+  const support::Asked asked = support::asked(hum, 0.002);
+  const CompositeModel composite = named(asked, {plain_effect("q^3"), plain_effect("q^5")});
+  ASSERT_TRUE(leaves_structure(composite, asked.options.decision));
+  EXPECT_FALSE(wrong_shapes(asked.problem(), composite)) << "what is left is no function of q";
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <utility>
 
 #include "core/base/random.hpp"
 #include "diagnose/hypotheses/coloured_noise.hpp"
@@ -88,6 +89,10 @@ TEST(AdmitVerdict, WhatRemembersAsLongAsTheRecordIsNoNoise) {
   const Diagnosis changed = diagnose(model, pump(0.012), {}, without_effects);
   EXPECT_EQ(changed.verdict, Verdict::Undetermined) << to_string(changed.verdict);
   EXPECT_GT(longest_memory(changed.noise, 0.1), 100.0) << "a third of the part that was used";
+  ASSERT_TRUE(changed.gap.has_value());
+  const Vector shown = changed.gap->runs.front().measured.col(0);
+  const double spread = std::sqrt((shown.array() - shown.mean()).square().mean());
+  EXPECT_NEAR(changed.gap->noise_floor * spread, 0.01, 0.002) << "what remembers is no noise";
   const Diagnosis same = diagnose(model, pump(0.02), {}, without_effects);
   EXPECT_EQ(same.verdict, Verdict::NoDiscrepancy) << to_string(same.verdict);
 }
@@ -122,6 +127,21 @@ TEST(AdmitVerdict, CoefficientsAreOffOnlyWhereOneIs) {
   together.coefficient_changes[1].determined = false;
   admit_verdict(together, {}, 10.0);
   EXPECT_EQ(together.verdict, Verdict::CoefficientsOnly) << "it moved with others";
+}
+
+TEST(AdmitVerdict, WhatHasAMemoryIsNoiseWhereAVerdictStandsOnIt) {
+  const auto floor_with = [](Verdict verdict) {
+    Diagnosis diagnosis = made(verdict);
+    diagnosis.gap = Gap{"rms", 0.9, 0.6, 0.5, 2.0, 1.0, {"r2.csv"}};
+    diagnosis.gap->white_floor = 0.1;
+    diagnosis.gap->above_white_floor = 20.0;
+    admit_verdict(diagnosis, {}, 10.0);
+    return std::pair{diagnosis.gap->noise_floor, diagnosis.gap->above_floor};
+  };
+  EXPECT_EQ(floor_with(Verdict::NoDiscrepancy), (std::pair{0.5, 2.0}));
+  EXPECT_EQ(floor_with(Verdict::Explained), (std::pair{0.5, 2.0}));
+  EXPECT_EQ(floor_with(Verdict::UnnamedStructure), (std::pair{0.1, 20.0}));
+  EXPECT_EQ(floor_with(Verdict::CoefficientsOnly), (std::pair{0.1, 20.0})) << "undetermined";
 }
 
 TEST(AdmitVerdict, SlowNoiseIsCompared) {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "diagnose/journey/coefficient_changes.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "lacuna/core/statistics/interval.hpp"
+#include "diagnose/journey/coefficient_changes.hpp"
+#include "diagnose/journey/identifiability.hpp"
+#include "support/asked.hpp"
 #include "support/assimilated_oscillator.hpp"
 
 namespace lacuna {
@@ -66,12 +66,6 @@ TEST(CoefficientChanges, TwoThatTheRecordsDoNotDistinguishAreOffTogether) {
   EXPECT_FALSE(combined_change(support::oscillator(), fit, 3, 3.0)) << "v is off by itself";
 }
 
-TEST(CoefficientChanges, OnlyThoseOfTheNominalModel) {
-  const auto changes = coefficient_changes(support::oscillator(), changed(), 1);
-  ASSERT_EQ(changes.size(), 1u);
-  EXPECT_EQ(changes[0].term, "q");
-}
-
 TEST(CoefficientChanges, WhatWasHeldHasNoError) {
   Assimilation fit = changed();
   fit.held = Matrix::Zero(3, 1);
@@ -103,14 +97,34 @@ TEST(CoefficientChanges, TheLargestIsTheRateThatMoves) {
   EXPECT_EQ(largest_rate_change(fit.model, fit), 0.0) << "nothing moved";
 }
 
-TEST(CoefficientChanges, FreeCoefficientsHaveIntervals) {
-  const OdeModel model = with_intervals(changed());
-  const WeightedTerm& q = model.equations()[1][0];
-  ASSERT_TRUE(q.standard_error && q.ci95);
-  EXPECT_DOUBLE_EQ(*q.standard_error, 0.2);
-  EXPECT_DOUBLE_EQ((*q.ci95)[0], -3.5 - kNormalQuantile975 * 0.2);
-  EXPECT_DOUBLE_EQ((*q.ci95)[1], -3.5 + kNormalQuantile975 * 0.2);
-  EXPECT_FALSE(model.equations()[0][0].standard_error) << "an identity";
+/// A baseline of the oscillator, with hidden states as it may be.
+Baseline base_of(const support::Asked& asked, std::vector<bool> hidden) {
+  Baseline base = *asked.baseline();
+  base.fit_options.hidden = std::move(hidden);
+  return base;
+}
+
+Assimilation holding(const Baseline& base, const Vector& direction) {
+  Assimilation fit = base.fitted;
+  fit.held = direction;
+  return fit;
+}
+
+TEST(Identifiability, AUnitIsKept) {
+  const support::Asked asked = support::asked(support::nothing);
+  const Baseline base = base_of(asked, {false, true});
+  Assimilation fit = holding(base, Vector{{std::sqrt(0.5), 0.0, -std::sqrt(0.5)}});
+  for (const Index unit : {0, 2}) {
+    fit.units = {unit};
+    const auto hints = identifiability_hints(asked.problem(), base, fit);
+    ASSERT_FALSE(hints.empty());
+    const CoefficientPlace& place = fit.free[static_cast<std::size_t>(unit)];
+    const std::string kept =
+        fit.model.equations()[1][static_cast<std::size_t>(place.term)].term.name() +
+        " in dv/dt is kept as the model gives it";
+    EXPECT_NE(hints.front().message.find("only as their product: " + kept), std::string::npos)
+        << hints.front().message;
+  }
 }
 
 }  // namespace

@@ -6,7 +6,6 @@
 
 #include <cmath>
 #include <string>
-#include <vector>
 
 #include "core/base/random.hpp"
 #include "identify/forms_beside/identify_with_forms.hpp"

@@ -138,12 +138,13 @@ TEST(Diagnose, SamplesThatRepeatNeedOtherRecordsToShowAName) {
   EXPECT_NE(hardly.notes.back().find("coarse quantisation"), std::string::npos);
 }
 
-/// The diagnosis of records whose sensor of v has an offset and a gain.
-Diagnosis with_sensor(double offset, double gain) {
+/// The diagnosis of records whose sensor of v has an offset, a gain and a drift.
+Diagnosis with_sensor(double offset, double gain, double drift) {
   const auto measured = [&](std::uint64_t seed, double start) {
     Dataset data = support::hidden_record(support::nothing, 0.005, seed, start);
-    auto v = data.trajectories.front().states.col(1).array();
-    v = offset + gain * v;
+    Trajectory& record = data.trajectories.front();
+    auto v = record.states.col(1).array();
+    v = offset + gain * v + drift * record.time.array();
     return data;
   };
   DiagnosisOptions options;
@@ -162,12 +163,10 @@ void expect_sensor(const Diagnosis& diagnosis, const std::string& name, double c
   EXPECT_LT(diagnosis.gap->after, 1.1 * diagnosis.gap->noise_floor);
 }
 
-TEST(Diagnose, AnOffsetOfASensorIsNoConstantForce) {
-  expect_sensor(with_sensor(0.1, 1.0), "sensor-offset", 0.1);
-}
-
-TEST(Diagnose, AGainOfASensorIsNoOtherModel) {
-  expect_sensor(with_sensor(0.0, 1.05), "sensor-gain", 0.05);
+TEST(Diagnose, AFaultOfASensorIsNoOtherModel) {
+  expect_sensor(with_sensor(0.1, 1.0, 0.0), "sensor-offset", 0.1);
+  expect_sensor(with_sensor(0.0, 1.05, 0.0), "sensor-gain", 0.05);
+  expect_sensor(with_sensor(0.0, 1.0, 0.02), "sensor-drift", 0.02);
 }
 
 /// A complete model, v clipped at both ends and every fifth sample of q blank.

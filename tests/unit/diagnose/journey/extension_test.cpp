@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "cli/configuration/diagnosis_configuration.hpp"
 #include "lacuna/diagnose/journey/diagnose.hpp"

@@ -87,12 +87,6 @@ TEST_F(Journey, ARuleGoesBeforeTheNumberAndIsInTheTrail) {
   EXPECT_TRUE(result.trail.back().taken);
 }
 
-TEST_F(Journey, OnlyHypothesesOfThePhaseAreAsked) {
-  const Judged result = judged(Phase::Residual, {Claims<kFirst>(Phase::Effects, 5.0),
-                                                 Claims<kSecond>(Phase::Residual, 1.0)});
-  EXPECT_EQ(result.best.notes, std::vector<std::string>{"second"});
-}
-
 TEST_F(Journey, EffectsAreSoughtOnTopOfAnAssumptionThatHasWon) {
   const Judged won = judged(Phase::Assumptions, {Claims<kFirst>(Phase::Effects, 1.0),
                                                  Claims<kSecond>(Phase::Assumptions, 5.0)});

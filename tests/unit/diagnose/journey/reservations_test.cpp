@@ -15,7 +15,7 @@ Gap gap_of(double after, double above) {
   Gap made;
   made.before = 10.0;
   made.after = after;
-  made.noise_floor = 1.0;
+  made.noise_floor = made.white_floor = 1.0;
   made.above_floor = above;
   return made;
 }
@@ -70,6 +70,14 @@ TEST_F(Reservations, BesideNamesNoScatterExcusesAGap) {
   CompositeModel fault = asked_.bare();
   fault.findings = {{.equation = 1, .name = "sensor-lag"}};
   EXPECT_TRUE(said(fault, gap_of(1.45, 0.0)).empty()) << "an approximation";
+}
+
+TEST_F(Reservations, WhereNothingIsNamedWhatHasAMemoryIsNoNoise) {
+  Gap slow = gap_of(5.0, 9.0);
+  slow.white_floor = 0.1;
+  EXPECT_TRUE(speaks_of(said(asked_.bare(), slow), "at 50 times its noise floor"));
+  EXPECT_TRUE(speaks_of(said(composite(stop(-0.1)), slow),
+                        "at 5 times its noise floor, with noise that has a memory"));
 }
 
 TEST_F(Reservations, AModelThatRunsAwayIsNone) {

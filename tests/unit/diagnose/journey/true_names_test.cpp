@@ -4,12 +4,22 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <numbers>
 #include <vector>
 
+#include "cli/configuration/diagnosis_configuration.hpp"
 #include "core/base/random.hpp"
+#include "lacuna/cli/configuration/registry.hpp"
+#include "lacuna/data/derivatives/finite_differences.hpp"
 #include "lacuna/diagnose/journey/diagnose.hpp"
+#include "lacuna/effects/effect_family.hpp"
+#include "lacuna/effects/forms.hpp"
+#include "lacuna/effects/patterns.hpp"
+#include "lacuna/effects/terms.hpp"
 #include "lacuna/model/files/ode_text.hpp"
+#include "lacuna/records/binding/model_view.hpp"
 #include "support/driven_oscillator.hpp"
 
 namespace lacuna {
@@ -175,6 +185,130 @@ TEST(TrueNames, TheNoiseFloorOfWhatHasNoNameIsThatOfItsSamples) {
   const Vector n = other.trajectories[0].states.col(0);
   const double spread = std::sqrt((n.array() - n.mean()).square().mean());
   EXPECT_NEAR(found.gap->noise_floor * spread, 2.0, 0.2);
+}
+
+// A diagnosis that is asked for with no more than a model and records.
+double rubbing(double, double, double v) { return v > 0.0 ? -0.3 : 0.3; }
+
+void expect_friction(const Diagnosis& found) {
+  EXPECT_EQ(found.verdict, Verdict::Explained);
+  ASSERT_EQ(found.effects.size(), 1u);
+  EXPECT_EQ(found.effects[0].name, "coulomb-friction");
+  EXPECT_NEAR(found.effects[0].coefficient, -0.3, 0.02);
+}
+
+TEST(DefaultDiagnosis, TriesEveryEffectAndEveryHypothesis) {
+  const DiagnosisOptions options{};
+  EXPECT_EQ(options.effects.size(), standard_effects().size());
+  EXPECT_EQ(options.hypotheses.size(), standard_hypotheses().size());
+  EXPECT_GT(options.effects.size(), 20u);
+  expect_friction(diagnose(support::oscillator(), support::hidden_record(rubbing, 0.01)));
+}
+
+TEST(DefaultDiagnosis, NoEffectsNameNone) {
+  const Diagnosis found = diagnose(support::oscillator(), support::hidden_record(rubbing, 0.01),
+                                   {}, {.effects = {}});
+  EXPECT_TRUE(found.effects.empty());
+  EXPECT_NE(found.verdict, Verdict::NoDiscrepancy);
+}
+
+TEST(DefaultDiagnosis, FindsColumnsByTheirNames) {
+  const Dataset record = support::hidden_record(rubbing, 0.01);
+  Dataset reversed = record;
+  std::swap(reversed.states[0], reversed.states[1]);
+  reversed.trajectories[0].states = record.trajectories[0].states.rowwise().reverse();
+  reversed.rate_of.clear();
+  expect_friction(diagnose(support::oscillator(), reversed));
+  reversed.states = {{"other", ""}, {"another", ""}};
+  EXPECT_THROW(diagnose(support::oscillator(), reversed, record), DataError);
+}
+
+// A part that hangs on a spring and that nobody measured.
+constexpr double kSpring = 30.0, kDamper = 0.4, kMass = 0.3;
+
+/// q, v of support::oscillator() with a mass p, w on a spring and a damper, levels for the force.
+Dataset with_a_mass(std::uint64_t seed) {
+  Dataset data = support::hidden_record(support::nothing, 0.0);
+  Trajectory& record = data.trajectories[0];
+  Random random(seed);
+  std::array<double, 4> at{0.0, 0.0, 0.0, 0.0};  // q, v, p, w
+  double force = 1.0;
+  for (Index i = 0; i < record.samples(); ++i) {
+    if (i % 40 == 0) force = random.uniform(-2.0, 2.0);
+    record.states.row(i) << at[0] + 2e-3 * random.normal(), at[1] + 4e-3 * random.normal();
+    record.inputs(i, 0) = force;
+    constexpr int kParts = 400;  // of a step: semi-implicit Euler
+    for (int part = 0; part < kParts; ++part) {
+      const double h = 0.02 / kParts;
+      const double pull = kSpring * (at[2] - at[0]) + kDamper * (at[3] - at[1]);
+      at[1] += h * (-4.0 * at[0] - 0.2 * at[1] + force + pull);
+      at[3] -= h * pull / kMass;
+      at[0] += h * at[1];
+      at[2] += h * at[3];
+    }
+  }
+  data.states.resize(1);  // v is not measured
+  record.states = Matrix(record.states.leftCols(1));
+  return model_view(support::oscillator(), data, FiniteDifferences{});
+}
+
+TEST(FlexibleMass, IsNamedWithItsFrequency) {
+  Configuration configuration;
+  configuration.set(
+      "effects=[\"extra-state\",\"delay\",\"lag\",\"cubic-stiffness\",\"linear-term\"]");
+  const Diagnosis found =
+      diagnose(support::oscillator(), with_a_mass(3), with_a_mass(8),
+               diagnosis_options(configuration, default_registry()), RunContext{});
+  EXPECT_EQ(found.verdict, Verdict::Explained);
+  ASSERT_EQ(found.effects.size(), 1u);
+  const NamedEffect& effect = found.effects[0];
+  EXPECT_EQ(effect.name, "extra-state");
+  EXPECT_NEAR(effect.coefficient, kSpring, 0.1 * kSpring);
+  const double frequency = std::sqrt(kSpring / kMass) / (2.0 * std::numbers::pi);
+  const double damping = 0.5 * kDamper / std::sqrt(kSpring * kMass);
+  ASSERT_EQ(effect.parameters.size(), 2u);
+  EXPECT_NEAR(effect.parameters[0].value, frequency, 0.02 * frequency);
+  EXPECT_NEAR(effect.parameters[1].value, damping, 0.5 * damping);  // small beside a spring
+}
+
+// A new form is one value and one line on a copy of the registry.
+constexpr const char* kPower = "sign(x)*abs(x)^1.5";
+
+std::vector<Candidate> forms(const Scope& scope, Index) {
+  std::vector<Candidate> result;
+  for (const Expression& x : all_variables(scope))
+    result.push_back(plain_candidate(formula(scope, kPower, {{"x", x}}), x));
+  return result;
+}
+
+std::optional<Reading> reading(const FittedForm& fitted) {
+  if (!has_form(fitted.candidate, kPower)) return std::nullopt;
+  return Reading{"power 3/2 of " + fitted.candidate.argument.to_string()};
+}
+
+const EffectFamily kThreeHalves{{"three-halves", "A term in the power 3/2", ""},
+                                "a sphere that is pressed",
+                                forms,
+                                reading};
+
+double hidden(double, double q, double) {
+  return -1.5 * std::copysign(std::pow(std::abs(q), 1.5), q);
+}
+
+TEST(OwnForm, IsFoundAndNamedAmongAllOthers) {
+  Registry registry = default_registry();
+  registry.add<FamilyEffect<kThreeHalves>>();
+  DiagnosisOptions options;
+  options.effects = registry.make_all<Effect>();
+  const Diagnosis diagnosis =
+      diagnose(support::oscillator(), support::hidden_record(hidden, 0.001, 3),
+               support::hidden_record(hidden, 0.001, 4, -0.7), options, RunContext{});
+  EXPECT_EQ(diagnosis.verdict, Verdict::Explained);
+  ASSERT_EQ(diagnosis.effects.size(), 1u);
+  EXPECT_EQ(diagnosis.effects[0].name, "three-halves");
+  EXPECT_EQ(diagnosis.effects[0].description, "power 3/2 of q");
+  EXPECT_EQ(diagnosis.effects[0].cause, "a sphere that is pressed");
+  EXPECT_NEAR(diagnosis.effects[0].coefficient, -1.5, 0.02);
 }
 
 }  // namespace

@@ -6,9 +6,10 @@
 #include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "diagnose/candidates/candidate_column.hpp"
-#include "lacuna/diagnose/criterion/extended_bic.hpp"
+#include "diagnose/search/period_search.hpp"
 #include "lacuna/trajectories/sensitivities/linearised_record.hpp"
 #include "support/asked.hpp"
 #include "support/assimilated_oscillator.hpp"
@@ -67,36 +68,6 @@ TEST(FunctionBasis, SplinesSumToOneAndHoldTheStraightLine) {
   }
 }
 
-TEST(FunctionBasis, SurfacesSumToOneAndStretchesToTheVariable) {
-  const auto bases = present_functions(oscillator_fit(), support::oscillator_scope(), 1);
-  const Matrix surface = values_of(basis_of(bases, Kind::Surface, {"q", "v"}, 100));
-  EXPECT_EQ(surface.cols(), 100);
-  EXPECT_LT((surface.rowwise().sum().array() - 1.0).abs().maxCoeff(), 1e-9);
-  const FunctionBasis varying = basis_of(bases, Kind::Varying, {"v", "t"});
-  ASSERT_EQ(varying.members.size(), 16u);
-  const Vector sum = values_of(varying).rowwise().sum();
-  const Vector v = values_of({Kind::Curve, {"v"}, {support::plain_candidate("v")}});
-  const Index inside = sum.size() - 1;  // the last stretch ends before its end
-  EXPECT_LT((sum - v).head(inside).cwiseAbs().maxCoeff(), 1e-12);
-}
-
-TEST(FunctionBasis, MemoryIsEarlierValuesAndLinesAreOfTheEquation) {
-  Scope scope = support::oscillator_scope();
-  scope.lines = {{0, 1.0, 1.0}, {1, 0.5, 1.0}, {1, 1.5 / scope.duration, 1.0}};
-  const auto bases = other_functions(scope, 1);
-  const FunctionBasis lines = basis_of(bases, Kind::Lines, {"t"});
-  ASSERT_EQ(lines.members.size(), 2u)
-      << "sine and cosine of the line in dv/dt that comes to two periods";
-  const Matrix waves = values_of(lines);
-  const Vector time = values_of({Kind::Lines, {"t"}, {support::plain_candidate("t")}});
-  EXPECT_LT((waves.col(0).array() - (M_PI * time.array()).sin()).abs().maxCoeff(), 1e-12);
-  EXPECT_LT((waves.col(1).array() - (M_PI * time.array()).cos()).abs().maxCoeff(), 1e-12);
-  const FunctionBasis memory = basis_of(bases, Kind::Memory, {"q"});
-  ASSERT_FALSE(memory.members.empty());
-  for (const Candidate& member : memory.members) EXPECT_EQ(member.form.name(), "q");
-  EXPECT_LT(memory.members.back().form.value(), 0.25 * scope.duration);
-}
-
 /// Drop of the sum of squares of the innovations by dense least squares.
 double dense_drop(const Assimilation& fit, const FunctionBasis& basis) {
   const InnovationSystem system(fit);
@@ -130,17 +101,6 @@ TEST_F(Scoring, TheGainIsTheDropOfLeastSquares) {
   EXPECT_EQ(screening.score(cubes).members, (std::vector<std::size_t>{0, 1, 2}));
 }
 
-TEST_F(Scoring, WhatIsFittedOrThereTwiceIsNoMember) {
-  const FunctionScreening screening(base_->fitted);
-  FunctionBasis twice{Kind::Curve, {"q"}, {}};
-  for (const char* form : {"q", "q^3", "2*q^3", "1/(q-q)"})
-    twice.members.push_back(support::plain_candidate(form));
-  const FunctionScore score = screening.score(twice);
-  ASSERT_EQ(score.members.size(), 1u) << "q is nominal, two are one, one is not finite";
-  EXPECT_TRUE(score.members[0] == 1 || score.members[0] == 2);
-  EXPECT_EQ(screening.score({Kind::Curve, {"q"}, {support::plain_candidate("v")}}).gain, 0.0);
-}
-
 TEST_F(Scoring, TheBestIsAFunctionOfTheRightVariable) {
   const FunctionScreening screening(base_->fitted);
   const auto best = screening.best_of(present_functions(base_->fitted, base_->scope, 1),
@@ -167,6 +127,24 @@ TEST_F(Scoring, WhatRecursIsInBothHalves) {
               return t < 8.0 ? 3.0 * std::sin(5.0 * t) : 0.0;
             }),
             0.05);
+}
+
+/// A force that repeats every 0.31 m: periods in the range are known to a quarter, and a quarter
+/// of one at a time is tried from two on.
+TEST(PeriodSearch, FindsWhatRepeatsAlongAVariable) {
+  constexpr double kPeriod = 0.31;
+  const auto teeth = [](double, double q, double) {
+    return 1.5 * std::sin(2.0 * std::numbers::pi * q / kPeriod + 0.4);
+  };
+  const Assimilation fit = support::assimilated(support::hidden_record(teeth, 0.002));
+  const auto found = best_period(fit, 1, 0);
+  ASSERT_TRUE(found);
+  const auto q = fit.records.front().path.col(0).array();
+  const double range = q.maxCoeff() - q.minCoeff();
+  EXPECT_NEAR(range / found->longest, range / kPeriod, 0.25);
+  EXPECT_LT(found->shortest, kPeriod);
+  EXPECT_NEAR(static_cast<double>(found->tried), 4.0 * (range / found->shortest - 2.0) + 1.0,
+              1.5);
 }
 
 }  // namespace

@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: MIT
-#include "diagnose/search/search.hpp"
-
+// The search for effects, and what they are called.
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "diagnose/candidates/search_memory.hpp"
+#include "diagnose/search/effect_names.hpp"
+#include "diagnose/search/effect_size.hpp"
+#include "diagnose/search/search.hpp"
 #include "support/asked.hpp"
+#include "support/assimilated_oscillator.hpp"
 #include "support/own_effects.hpp"
 
 namespace lacuna {
@@ -67,13 +72,6 @@ TEST_F(Search, EndsWhereMoreParametersDoNotCount) {
   EXPECT_EQ(rounds_of(1), 1u);
 }
 
-TEST_F(Search, FractionsOfTheDisturbanceThatGoAddUpToMostOfIt) {
-  double sum = 0.0;
-  for (const NamedEffect& named : found(dry_and_cubic).named) sum += named.gap_closed;
-  EXPECT_GT(sum, 0.9);
-  EXPECT_LE(sum, 1.0 + 1e-9);
-}
-
 TEST_F(Search, GoesWithoutFormsThatAreShutOut) {
   found(dry_and_cubic);
   const Problem problem = asked_.problem();
@@ -105,21 +103,6 @@ TEST_F(Search, RivalsElsewhereDoAsWellInTheEnd) {
             "that are known (--tolerance) may decide");
 }
 
-TEST_F(Search, NothingIsAddedWhereNothingIsMissing) {
-  const FoundEffects effects = found(support::nothing);
-  EXPECT_TRUE(effects.named.empty() && effects.explanation.effects.empty());
-  ASSERT_EQ(effects.rounds.size(), 1u);
-  EXPECT_FALSE(effects.rounds[0].accepted);
-  EXPECT_EQ(effects.explanation.fit.deviance, base_->fitted.deviance);
-}
-
-TEST_F(Search, NoMoreEffectsThanAreAskedFor) {
-  EXPECT_EQ(found(dry_and_cubic, {.max_effects = 1}).named.size(), 1u);
-  const FoundEffects none = found(dry_and_cubic, {.max_effects = 0});
-  EXPECT_TRUE(none.named.empty() && none.rounds.empty());
-  EXPECT_FALSE(none.left.empty());
-}
-
 TEST_F(Search, AThresholdThatIsNotReachedStandsInTheTrail) {
   const FoundEffects few = found(dry, {.significance = 1e3});
   EXPECT_TRUE(few.named.empty());
@@ -134,12 +117,162 @@ TEST_F(Search, AThresholdThatIsNotReachedStandsInTheTrail) {
   EXPECT_FALSE(small.rivals[0].taken);
 }
 
-TEST_F(Search, TheTrailSaysWhatWasTaken) {
-  const FoundEffects effects = found(dry);
-  ASSERT_FALSE(effects.rivals.empty());
-  EXPECT_TRUE(effects.rivals[0].taken);
-  EXPECT_EQ(effects.rivals[0].composite, "dry in dv/dt: sign(v)");
-  EXPECT_EQ(effects.rivals[0].hypothesis, "named-effects");
+RankedEffect ranked(const Candidate& candidate, const std::vector<std::string>& names,
+                    double probability, double sigma = 5.0) {
+  RankedEffect effect{
+      {{{candidate, candidate.starts.front(), -1.0, 0.1}}, {.model = support::oscillator()}}};
+  for (const std::string& name : names)
+    effect.names.push_back({name, "sentence of " + name, "cause of " + name});
+  effect.sigma = sigma;
+  effect.contribution = 0.1;
+  effect.probability = probability;
+  return effect;
+}
+
+Ranking three_forms() {
+  RankedEffect stop = ranked(support::stop_candidate(0.25), {"stop", "bend"}, 0.7);
+  stop.names.front().parameters = {"gap"};
+  return {{stop, ranked(support::plain_candidate("sign(v)"), {"friction"}, 0.2),
+           ranked(support::plain_candidate("q^3"), {"hardening"}, 0.05)},
+          0.05,
+          12};
+}
+
+TEST(EffectNames, AlternativesAreOtherNamesThenOtherForms) {
+  const Ranking ranking = three_forms();
+  const NamedEffect named = name_effect(ranking.effects[0], ranking);
+  ASSERT_EQ(named.alternatives.size(), 3u);
+  EXPECT_EQ(named.alternatives[0].name, "bend");
+  EXPECT_EQ(named.alternatives[0].term, "min(q-0.25,0)") << "the same form";
+  EXPECT_EQ(named.alternatives[1].name, "friction");
+  EXPECT_EQ(named.alternatives[1].term, "sign(v)");
+  EXPECT_EQ(named.alternatives[1].probability, 0.2);
+  EXPECT_EQ(named.alternatives[2].name, "hardening");
+}
+
+TEST(EffectNames, PlainerFormsAreThoseWithFewerShapesThenShallowerOnes) {
+  const Ranking ranking = three_forms();
+  const auto plainer = plainer_forms(ranking.effects[0], ranking, {});
+  ASSERT_EQ(plainer.size(), 2u);
+  EXPECT_EQ(plainer[0].named.name, "friction") << "sign(v) and q^3 have no shape: as ranked";
+  EXPECT_EQ(plainer[1].named.name, "hardening");
+  EXPECT_TRUE(plainer_forms(ranking.effects[1], ranking, {}).empty());
+}
+
+TEST(EffectNames, ThresholdsDecideWhichPlainerFormsCount) {
+  Ranking ranking = three_forms();
+  ranking.effects[1].sigma = 2.9;
+  EXPECT_EQ(plainer_forms(ranking.effects[0], ranking, {}).size(), 1u);
+  EXPECT_EQ(plainer_forms(ranking.effects[0], ranking, {.significance = 2.5}).size(), 2u);
+  EXPECT_TRUE(plainer_forms(ranking.effects[0], ranking, {.effect_size = 0.2}).empty());
+}
+
+TEST(EffectNames, FormsElsewhereStandInAnotherPlaceAndDoAsWell) {
+  Ranking ranking = three_forms();
+  EXPECT_TRUE(forms_elsewhere(ranking.effects[0], ranking, {}).empty()) << "all in one place";
+  ranking.effects[1].explanation.effects[0].candidate.equation = 0;
+  ranking.effects[2].explanation.effects[0].candidate.place = Place::Channel;
+  ranking.effects[2].criterion = 9.0;
+  const auto elsewhere = forms_elsewhere(ranking.effects[0], ranking, {});
+  ASSERT_EQ(elsewhere.size(), 2u);
+  EXPECT_EQ(elsewhere[0].named.name, "friction");
+  EXPECT_EQ(elsewhere[1].named.name, "hardening");
+  EXPECT_EQ(forms_elsewhere(ranking.effects[0], ranking, {.undecided = 8.0}).size(), 1u);
+}
+
+TEST(EffectNames, FrictionThatIsWrittenAsASlopeIsToldByItsForce) {
+  Candidate clip = support::plain_candidate("clip(v,-a,a)");
+  clip.argument = parse_expression("v");
+  clip.shapes = {{"a", "m/s", 0.001, 1.0, true}};
+  const Explanation explanation{{{clip, Vector::Constant(1, 0.05), -16.0, 0.1}},
+                                {.model = support::oscillator()}};
+  NamedEffect friction;
+  friction.name = "coulomb-friction";
+  friction.parameters = {{"width", "m/s", 0.0, {}}};
+  std::vector<NamedEffect> named{friction};
+  for (int again = 0; again < 2; ++again) update_numbers(explanation, named);
+  ASSERT_EQ(named[0].parameters.size(), 2u);
+  EXPECT_EQ(named[0].parameters[1].name, "force");
+  EXPECT_DOUBLE_EQ(named[0].parameters[1].value, 0.8);
+  named[0].name = "piecewise-linear";
+  update_numbers(explanation, named);
+  EXPECT_EQ(named[0].parameters.size(), 1u) << "a slope is what it is";
+}
+
+bool counts(const EffectSize& size, const Explanation& explanation, const Explanation& after) {
+  Extended before{explanation};
+  return !size.shortfall(before, after);
+}
+
+std::string quantity(const EffectSize& size, const Explanation& explanation,
+                     const Explanation& after) {
+  Extended before{explanation};
+  const auto shortfall = size.shortfall(before, after);
+  return shortfall && shortfall->value < shortfall->threshold ? shortfall->quantity : "none";
+}
+
+class EffectSizes : public testing::Test {
+ protected:
+  /// The baseline with another fraction of the variance of its disturbance.
+  Explanation leaving(double fraction) const {
+    Explanation made{{{candidate_, Vector(0), 1.0, 0.1}}, base_->fitted};
+    made.fit.noise.disturbance[1] *= std::sqrt(fraction);
+    return made;
+  }
+  /// What the records are made of, brought onto them: nothing lasts in its windows.
+  Assimilation complete() const {
+    return explain_on(problem_, *base_, base_->fitted,
+                      {{support::plain_candidate("sin(6*q)"), Vector(0), 0.0, 0.0}})
+        .fit;
+  }
+
+  support::Asked asked_ = support::asked(support::ripple);
+  std::shared_ptr<const Baseline> base_ = asked_.baseline();
+  const Problem problem_ = asked_.problem();
+  Candidate candidate_ = support::plain_candidate("q^3");
+};
+
+TEST_F(EffectSizes, IsOneForTheNominalModel) {
+  const EffectSize size(problem_, *base_);
+  EXPECT_DOUBLE_EQ(size.disturbance(base_->fitted, candidate_), 1.0);
+  EXPECT_DOUBLE_EQ(size.gap(base_->fitted), 1.0);
+  EXPECT_NEAR(size.disturbance(leaving(0.3).fit, candidate_), 0.3, 1e-12);
+  Candidate measured = candidate_;
+  measured.place = Place::Channel;
+  measured.equation = 0;
+  EXPECT_NEAR(size.disturbance(leaving(0.3).fit, measured), 0.3, 1e-12)
+      << "of the only equation that is disturbed";
+}
+
+TEST_F(EffectSizes, CountsByTheFractionsThatAreAsked) {
+  const EffectSize size(problem_, *base_);
+  EXPECT_TRUE(counts(size, leaving(1.0), leaving(0.4))) << "most goes";
+  EXPECT_EQ(quantity(size, leaving(1.0), leaving(0.95)), "fraction of the residual that goes");
+  EXPECT_EQ(quantity(size, leaving(1.0), leaving(0.7)),
+            "fraction of the nominal model's squared gap that goes");
+  EXPECT_EQ(quantity(size, leaving(0.04), leaving(0.032)),
+            "fraction of the nominal model's disturbance that goes");
+  Explanation lasting = leaving(0.26);
+  lasting.fit = complete();
+  const Vector noise = base_->fitted.noise.disturbance;
+  lasting.fit.noise.disturbance = std::sqrt(0.26) * noise;
+  EXPECT_FALSE(counts(size, leaving(0.3), lasting)) << "0.04 of the disturbance are negligible";
+  lasting.fit.noise.disturbance = std::sqrt(0.24) * noise;
+  EXPECT_TRUE(counts(size, leaving(0.3), lasting)) << "most of what lasts goes";
+  asked_.options.decision.major = 0.25;
+  EXPECT_TRUE(counts(size, leaving(1.0), leaving(0.7))) << "most, if a quarter is most";
+  asked_.options.decision = {.minor = 0.7};
+  EXPECT_FALSE(counts(size, leaving(1.0), leaving(0.4))) << "0.6 are a minor part then";
+}
+
+TEST_F(EffectSizes, IsNearWhereNeitherDisturbanceNorGapIsNoticeablyMore) {
+  const EffectSize size(problem_, *base_);
+  EXPECT_TRUE(size.is_near(leaving(0.54).fit, leaving(0.5).fit, candidate_));
+  EXPECT_FALSE(size.is_near(leaving(0.56).fit, leaving(0.5).fit, candidate_));
+  Assimilation best = complete();
+  best.noise.disturbance = base_->fitted.noise.disturbance;
+  EXPECT_FALSE(size.is_near(base_->fitted, best, candidate_)) << "the gap is larger";
+  EXPECT_TRUE(size.is_near(best, base_->fitted, candidate_));
 }
 
 }  // namespace

@@ -1,15 +1,19 @@
 // SPDX-License-Identifier: MIT
-#include "diagnose/search/short_list.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <string>
-#include <vector>
 
 #include "cli/configuration/diagnosis_configuration.hpp"
+#include "diagnose/search/shared_form.hpp"
+#include "diagnose/search/short_list.hpp"
+#include "diagnose/search/window_refit.hpp"
 #include "lacuna/cli/configuration/registry.hpp"
+#include "support/asked.hpp"
 #include "support/assimilated_oscillator.hpp"
+#include "support/grey_box.hpp"
+#include "support/own_effects.hpp"
+#include "trajectories/windows/window_gap.hpp"
 
 namespace lacuna {
 namespace {
@@ -52,41 +56,6 @@ TEST_F(ShortLists, HaveTheBestOfEachFamilyAndNoPathOfTheirOwn) {
                            [](const Listed& one) { return one.start != nullptr; }));
 }
 
-TEST_F(ShortLists, HaveNoFormWithMoreParametersThanMayCount) {
-  Problem bounded = problem_;
-  bounded.most_parameters = 2;
-  const EffectSearch search{bounded, base_, options_.effects};
-  const auto most_shapes = [&](const Explanation& current) {
-    std::size_t most = 0;
-    for (const Listed& one : short_list(search, current).candidates)
-      most = std::max(most, one.screened.candidate.shapes.size());
-    return most;
-  };
-  EXPECT_EQ(most_shapes(bare()), 1u);
-  EXPECT_EQ(most_shapes(with("v^3")), 0u) << "beside an effect with one parameter";
-}
-
-TEST_F(ShortLists, StartWhereAnEffectOfTheSameFormIsInAnotherEquation) {
-  const ShortList list = short_list(search_, bare());
-  const auto shaped = std::find_if(
-      list.candidates.begin(), list.candidates.end(),
-      [](const Listed& one) { return one.screened.candidate.shapes.size() == 1; });
-  ASSERT_NE(shaped, list.candidates.end());
-  FittedEffect effect{shaped->screened.candidate, Vector(1), 0.0, 0.0};
-  const ShapeParameter range = effect.candidate.shapes.front();
-  effect.shapes[0] = 0.123 * range.low + 0.877 * range.high;
-  effect.candidate.equation = 1 - effect.candidate.equation;
-  const ShortList beside = short_list(search_, {{effect}, base_.fitted});
-  const auto same = std::find_if(
-      beside.candidates.begin(), beside.candidates.end(), [&](const Listed& one) {
-        return are_one_form(one.screened.candidate, shaped->screened.candidate);
-      });
-  ASSERT_NE(same, beside.candidates.end());
-  EXPECT_EQ(same->screened.candidate.starts.size(),
-            shaped->screened.candidate.starts.size() + 1);
-  EXPECT_EQ(same->screened.candidate.starts.back(), effect.shapes);
-}
-
 TEST_F(ShortLists, AlongAPathHaveAllFunctionsOfItsArgument) {
   const Explanation wrong = with("v^3");
   search_.along = &wrong;
@@ -106,25 +75,6 @@ TEST_F(ShortLists, AlongAPathHaveAllFunctionsOfItsArgument) {
     ASSERT_TRUE(one.start);
     EXPECT_EQ(one.start->records[0].path, wrong.fit.records[0].path);
   }
-}
-
-TEST(WorthFitting, AreThePossibleOnesAndAtLeastSoMany) {
-  std::vector<ScreenedCandidate> screened;
-  const double gains[] = {100.0, 40.0, 3.0, 1.0, 0.5};
-  for (int i = 0; i < 5; ++i) {
-    Candidate candidate = support::plain_candidate("v^" + std::to_string(i + 2));
-    candidate.families = {"family " + std::to_string(i)};
-    screened.push_back({candidate, Vector(0), 1.0, gains[i], 1});
-  }
-  const DecisionOptions decision;
-  EXPECT_EQ(worth_fitting(screened, decision, 0).size(), 2u);
-  EXPECT_EQ(worth_fitting(screened, decision, 1).size(), 2u);
-  const auto four = worth_fitting(screened, decision, 4);
-  ASSERT_EQ(four.size(), 4u);
-  EXPECT_EQ(four.back().gain, 1.0) << "in their order";
-  screened[1].candidate.families = screened[0].candidate.families;
-  EXPECT_EQ(worth_fitting(screened, decision, 4).size(), 4u)
-      << "a family has one for an argument";
 }
 
 /// Positions that come late contradict dx/dt = v, which stays what v means.
@@ -151,12 +101,124 @@ TEST_F(ShortLists, OfAnIdentityHaveAnOffsetOfItsSensorsOnly) {
   }
 }
 
-TEST_F(ShortLists, BesideAnEffectAreScreenedAgain) {
-  const Explanation found = with("sign(v)");
-  search_.along = &found;
-  const ShortList list = short_list(search_, found);
-  EXPECT_FALSE(has(list, "sign(v)")) << "it is there";
-  EXPECT_GT(list.screened, static_cast<Index>(list.candidates.size()));
+/// Dry friction, and quick forces that go along with the state.
+double friction_and_more(double t, double q, double v) {
+  return support::dry_friction(t, q, v) + 0.15 * std::sin(25.0 * q) * std::sin(9.0 * t + v);
+}
+
+class WindowRefit : public testing::Test {
+ protected:
+  Explanation with(const Candidate& candidate) const {
+    return explain_on(asked_.problem(), *base_, base_->fitted,
+                      {{candidate, candidate.starts.front(), 0.0, 0.0}});
+  }
+  std::optional<Explanation> refitted(const Explanation& explanation) const {
+    return refit_over_windows(asked_.problem(), *base_, explanation);
+  }
+
+  WindowRefit() { asked_.options.decision.long_window = 3; }
+  support::Asked asked_ = support::asked(friction_and_more);
+  std::shared_ptr<const Baseline> base_ = asked_.baseline();
+};
+
+TEST_F(WindowRefit, CoefficientsAreThoseThatHoldOverWindows) {
+  const Explanation friction = with(support::plain_candidate("sign(v)"));
+  const auto found = refitted(friction);
+  ASSERT_TRUE(found);
+  EXPECT_NEAR(found->fit.model.coefficient(1, "q"), -4.0, 0.1);
+  EXPECT_NEAR(found->fit.model.coefficient(1, "F"), 1.0, 0.05);
+  EXPECT_NEAR(found->effects[0].coefficient, -0.3, 0.04);
+  EXPECT_EQ(found->effects[0].coefficient, found->fit.model.coefficient(1, "sign(v)"));
+  EXPECT_GT(found->effects[0].deviation, 0.0);
+  EXPECT_LT(window_gap(found->fit), 1.05 * window_gap(friction.fit));
+}
+
+TEST_F(WindowRefit, IsNotForMemoryDelaysOrTheMeasurement) {
+  Candidate lag = support::plain_candidate("z");
+  lag.memory = {{"z", parse_expression("q-z"), parse_expression("0"), false}};
+  Candidate skew = support::plain_candidate("v");
+  skew.place = Place::Channel;
+  for (const Candidate& other : {lag, skew, support::plain_candidate("delay(v,0.3)")})
+    EXPECT_FALSE(refitted(with(other))) << other.form.to_string();
+}
+
+inline constexpr StageInfo kSmall{"small", "A bound for tests", ""};
+
+/// Two bodies and a spring; what is hidden acts between them.
+std::string bodies(const std::string& on_first, const std::string& on_second) {
+  return "time s\ninput u\nstate d\nstate w1\nstate w2\ndd/dt = w1-w2\n"
+         "dw1/dt = -6*d-0.3*w1+u" +
+         on_first + "\ndw2/dt = 4*d-0.3*w2" + on_second + "\n";
+}
+
+/// 800 samples of 40 s with white noise, a fraction of each channel's standard deviation.
+Dataset record_of(const OdeModel& truth, double noise) {
+  const Vector time = sample_times(0.0, 0.05, 800);
+  const Matrix force = 2.0 * (support::grey_box_inputs(time, 1).array() - 1.0);
+  RecordInput signal(time, force, Interpolation::Linear);
+  const Solution orbit = simulate(DrivenModel{truth, signal, signal.breaks()}, Rk4{},
+                                  Vector::Constant(3, 0.05), time);
+  Dataset data;
+  data.time_unit = "s";
+  data.states = truth.states();
+  data.inputs = truth.inputs();
+  Random random(5);
+  Matrix states = orbit.states;
+  for (auto column : states.colwise()) {
+    const double deviation =
+        noise * std::sqrt((column.array() - column.mean()).square().mean());
+    for (double& value : column) value += deviation * random.normal();
+  }
+  data.trajectories = {{"record", time, std::move(states), force, Matrix()}};
+  return data;
+}
+
+class SharedForm : public testing::Test {
+ protected:
+  SharedForm() {
+    asked_.options.effects = {support::FormEffect<support::kDry>("sign(d)"),
+                              support::FormEffect<kSmall>("clip(d,-0.1,0.1)")};
+    asked_.nominal = parse_ode(bodies("", ""), "bodies");
+  }
+
+  /// Both forms, the first in the first body and the other in the second, and what they agree
+  /// on.
+  std::vector<std::string> agreed(const std::string& truth_first,
+                                  const std::string& truth_second, double noise) {
+    asked_.records =
+        observed(record_of(parse_ode(bodies(truth_first, truth_second), "truth"), noise));
+    base_ = asked_.baseline();
+    const Problem problem = asked_.problem();
+    const EffectSearch search{problem, *base_, asked_.options.effects};
+    FoundEffects found{{{}, base_->fitted}};
+    std::vector<FittedEffect> effects;
+    for (Index k = 0; k < 2; ++k) {
+      const auto& effect = asked_.options.effects[static_cast<std::size_t>(k)];
+      effects.push_back({effect->candidates(base_->scope, k + 1).front(), Vector(), 0.0, 0.0});
+      effects.back().candidate.equation = k + 1;
+      effects.back().candidate.argument = parse_expression("d");
+      found.named.push_back({.equation = k + 1, .name = k == 0 ? "dry" : "small"});
+    }
+    found.explanation = explain_on(problem, *base_, base_->fitted, effects);
+    is_changed_ = agree_on_forms(search, found);
+    return {found.named[0].name, found.named[1].name};
+  }
+
+  support::Asked asked_{.records = {}};
+  std::shared_ptr<const Baseline> base_;
+  bool is_changed_ = false;
+};
+
+TEST_F(SharedForm, OneFormActsInBothWhereNoiseHidesWhichItIs) {
+  EXPECT_EQ(agreed("+4*clip(d,-0.1,0.1)", "-3*clip(d,-0.1,0.1)", 0.2),
+            (std::vector<std::string>{"small", "small"}));
+  EXPECT_TRUE(is_changed_);
+}
+
+TEST_F(SharedForm, DifferentFormsStayWhereTheRecordsTellThemApart) {
+  EXPECT_EQ(agreed("+sign(d)", "-8*clip(d,-0.1,0.1)", 0.002),
+            (std::vector<std::string>{"dry", "small"}));
+  EXPECT_FALSE(is_changed_);
 }
 
 }  // namespace

@@ -88,24 +88,6 @@ TEST(Synchroniser, TwoRungeKuttaModelsDifferByTheInterpolationOnly) {
   expect_within_quarter(at_hundredth.median, 8.3e-9, "median at h = 0.01");
 }
 
-TEST(Synchroniser, Tl072ModelStaysNearItsOrbit) {
-  const Dataset record = record_on_attractor("tl072", Dopri8({.substeps = 4}), 0.1, 10000);
-  const SyncResult result = as_in_the_article("tl072", record);
-  expect_within_quarter(result.median, 1.9e-5, "median");
-  expect_within_quarter(result.mean, 1.3e-4, "mean");
-  expect_within_quarter(result.relative, 3.1e-5, "relative");
-}
-
-TEST(Synchroniser, MethodsOfHigherOrderStayNearer) {
-  const Dataset record = record_on_attractor("rossler", Dopri8({.substeps = 4}), 0.1, 2000);
-  const OdeModel& model = test_system("rossler").model;
-  const double fourth = synchronise(model, record, Rk4{}).median;
-  const double fifth = synchronise(model, record, Dopri5{}).median;
-  const double eighth = synchronise(model, record, Dopri8{}).median;
-  EXPECT_LT(fifth, fourth);
-  EXPECT_LT(eighth, 1e-2 * fifth);
-}
-
 // A method of order p and the polynomial through p samples: the error falls as h^p.
 TEST(Synchroniser, ErrorFallsWithTheOrderOfTheMethod) {
   const double length = 60.0;
@@ -259,11 +241,6 @@ TEST(Synchroniser, AHiddenIntegralIsNotTold) {
 TEST(Synchroniser, ThePastOfAHiddenStateIsRefused) {
   const OdeModel model = parse_ode("dx/dt = cos(t)\ndz/dt = x - delay(z,0.5)\n", "t");
   EXPECT_THROW(synchronise(model, half_measured(model), Rk4{}), ModelError);
-}
-
-TEST(Synchroniser, WithoutHiddenStatesThereIsNoConditionalExponent) {
-  const Dataset record = record_on_attractor("rossler", Rk4{}, 0.1, 200);
-  EXPECT_FALSE(as_in_the_article("rossler", record).conditional_exponent);
 }
 
 TEST(Synchroniser, DivergenceIsReportedWithPlace) {

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <cmath>
 #include <limits>
 
@@ -127,6 +128,24 @@ TEST(Bench, RefusesTasksThatDoNotFit) {
   task.draws = 0;
   EXPECT_THROW(bench(task), ArgumentError);
   EXPECT_THROW(with_relative_noise(lorenz_record(), -1.0, 1), ArgumentError);
+}
+
+TEST(Bench, PastTheDeadlineCellsAreLeftOut) {
+  RunContext context;
+  int cells = 0;
+  context.progress = [&](const Progress&) {
+    if (++cells == 3) context.deadline = std::chrono::steady_clock::now();
+  };
+  const BenchResult cut = bench(two_regressors(), context);
+  ASSERT_EQ(cut.cells.size(), 4u);
+  EXPECT_FALSE(cut.complete());
+  for (std::size_t i = 0; i < 4; ++i) {
+    EXPECT_EQ(cut.cells[i].done, i < 2) << i;
+    EXPECT_EQ(cut.cells[i].scores.empty(), i >= 2) << i;
+    EXPECT_TRUE(cut.cells[i].failures.empty()) << i;
+  }
+  EXPECT_TRUE(bench(two_regressors()).complete());
+  EXPECT_THROW(bench(two_regressors(), context), OutOfTime);
 }
 
 }  // namespace

@@ -1,10 +1,17 @@
 // SPDX-License-Identifier: MIT
-#include "identify/forms_beside/form_problem.hpp"
-
+// Rows of a search for forms, and what forms leave of them.
 #include <gtest/gtest.h>
 
+#include <Eigen/Dense>
+#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
+#include <limits>
+
+#include "core/base/random.hpp"
+#include "identify/forms_beside/base_columns.hpp"
+#include "identify/forms_beside/form_problem.hpp"
+#include "identify/forms_beside/form_rows.hpp"
 
 namespace lacuna {
 namespace {
@@ -30,15 +37,6 @@ Candidate form_of_x(const std::string& form) {
   return candidate;
 }
 
-TEST(FormProblem, LinearTermsAreTheConstantAndTheVariables) {
-  const FormProblem problem(decay(), Vector::Zero(1), {});
-  const std::vector<Term> terms = problem.linear_terms();
-  ASSERT_EQ(terms.size(), 2u);
-  EXPECT_EQ(terms[0].name(), "1");
-  EXPECT_EQ(terms[1].name(), "x");
-  EXPECT_LT(problem.left({0, terms, {}}), problem.residual_noise(0) * 1e6);
-}
-
 TEST(FormProblem, WhatIsTheSameIsATenthWhereItIsNoNoise) {
   const FormProblem clean(decay(), Vector::Zero(1), {});
   EXPECT_NEAR(clean.same_as(1.0, clean.residual_noise(0)), 1.21, 1e-12);
@@ -47,21 +45,6 @@ TEST(FormProblem, WhatIsTheSameIsATenthWhereItIsNoNoise) {
   const auto rows = static_cast<double>(noisy.rows());
   EXPECT_NEAR(noise, 0.01 * rows, 1e-6 * noise);
   EXPECT_NEAR(noisy.same_as(noise, noise), noise * (1.0 + 2.0 * std::log(rows) / rows), 1e-9);
-}
-
-TEST(FormProblem, ColumnsOfStartingPointsAreMadeOnce) {
-  const FormProblem problem(decay(), Vector::Zero(1), {});
-  const EquationForms constant{0, {problem.linear_terms()[0]}, {}};
-  const EquationForms linear{0, problem.linear_terms(), {}};
-  const std::vector<Start> starts =
-      all_starts({form_of_x("x^2"), form_of_x("exp(x)"), form_of_x("sin(x)")});
-  ASSERT_EQ(starts.size(), 3U);
-  const Matrix first = problem.rated({{constant}, {linear}}, starts);
-  EXPECT_EQ(problem.columns_made(), 3) << "once for all equations";
-  EXPECT_EQ(problem.rated({{constant}, {linear}}, starts), first);
-  EXPECT_EQ(problem.columns_made(), 3) << "and for all rounds of a search";
-  problem.rated({{linear}}, all_starts({form_of_x("sin(x)"), form_of_x("cos(x)")}));
-  EXPECT_EQ(problem.columns_made(), 4);
 }
 
 TEST(FormProblem, WhatTrajectoriesCallNoiseIsNoise) {
@@ -75,28 +58,6 @@ TEST(FormProblem, WhatTrajectoriesCallNoiseIsNoise) {
   const Limit noise = problem.limit_of(constant, Remainder::Noise);
   EXPECT_NEAR(noise.left, left * (1.0 + 2.0 * std::log(rows) / rows), 1e-9 * left);
   EXPECT_NEAR(noise.penalty, std::log(rows) / rows * left, 1e-9 * left);
-}
-
-TEST(FormProblem, ColumnsThatAreKeptAreThoseOfTheTerms) {
-  const std::vector<Term> terms = FormProblem(decay(), Vector::Zero(1)).linear_terms();
-  const EquationForms equation{0, terms, {{form_of_x("sin(x)"), Vector()}}};
-  EXPECT_EQ(FormProblem(decay(), Vector::Zero(1), {}, {}, terms).columns(equation),
-            FormProblem(decay(), Vector::Zero(1)).columns(equation));
-}
-
-TEST(FormProblem, RatesStartsBesideEachEquation) {
-  const FormProblem problem(decay(), Vector::Zero(1), {});
-  const EquationForms constant{0, {problem.linear_terms()[0]}, {}};
-  const EquationForms linear{0, problem.linear_terms(), {}};
-  const std::vector<Start> starts = all_starts({form_of_x("exp(x)"), form_of_x("sin(x)")});
-  const Matrix left = problem.rated({{constant}, {linear}}, starts);
-  ASSERT_GT(left.rows(), 0);
-  for (Index i = 0; i < left.rows(); ++i) {
-    EquationForms with = constant;
-    with.forms.push_back(starts[static_cast<std::size_t>(i)].form);
-    EXPECT_NEAR(left(i, 0), problem.left(with), 1e-9 * left(i, 0));
-    EXPECT_LE(left(i, 1), left(i, 0));
-  }
 }
 
 TEST(FormProblem, RatesFormsByWhatTheyTakeInThePlaceOfMembers) {
@@ -121,30 +82,6 @@ TEST(FormProblem, RatesFormsByWhatTheyTakeInThePlaceOfMembers) {
   EXPECT_TRUE(std::isfinite(rating({linear, 1, 0, std::min(1.0, 1.9 * taken), limit})));
   EXPECT_TRUE(std::isinf(rating({linear, 1, 1}))) << "no place for a member";
   EXPECT_TRUE(std::isfinite(rating({linear, 2, 1})));
-}
-
-TEST(FormProblem, TheBestStartsAreThoseOfEachCandidateThatLeaveLeast) {
-  std::vector<Start> starts(5);
-  for (std::size_t i = 0; i < starts.size(); ++i) starts[i].candidate = i / 2;  // 0 0 1 1 2
-  set_residuals(Vector{{9.0, 3.0, 5.0, 6.0, INFINITY}}, starts);
-  const auto left = [&](std::size_t count) {
-    std::vector<double> values;
-    for (const Start& start : best_of(starts, count)) values.push_back(start.left);
-    return values;
-  };
-  EXPECT_EQ(left(3), (std::vector<double>{3.0, 5.0}));
-  EXPECT_EQ(left(1), (std::vector<double>{3.0}));
-}
-
-TEST(FormProblem, ThinnedKeepsTheFormAndWhatIsNeeded) {
-  const FormProblem problem(decay(), Vector::Zero(1), {});
-  const EquationForms all{0, problem.linear_terms(), {}};
-  const double limit = 1e6 * problem.residual_noise(0);
-  const Trial thin = problem.thinned(all, {form_of_x("sin(x)"), Vector()}, {limit, 0.0, 2});
-  EXPECT_LE(thin.left, limit);
-  ASSERT_EQ(thin.equation.terms.size(), 1u);
-  EXPECT_EQ(thin.equation.terms[0].name(), "x");
-  EXPECT_EQ(thin.equation.forms.size(), 1u);
 }
 
 /// What is left without the member that costs least, the last one apart: each is tried.
@@ -200,15 +137,6 @@ TEST(FormProblem, ThinnedDropsWhatCostsLeast) {
       }
 }
 
-TEST(FormProblem, ChoosesTheTermsThatAFormNeeds) {
-  const FormProblem problem(decay(), Vector::Zero(1), {});
-  const EquationForms all{0, {problem.linear_terms()[0]}, {}};
-  const double limit = 1e6 * problem.residual_noise(0);
-  const Trial few = problem.chosen(all, {form_of_x("2*x"), Vector()}, {limit, 0.0, 2});
-  EXPECT_TRUE(few.equation.terms.empty());
-  EXPECT_LE(few.left, limit);
-}
-
 TEST(Limit, ANumberLessMayCostItsPenalty) {
   const Limit limit{10.0, 2.0, 5};
   EquationForms equation;
@@ -216,16 +144,6 @@ TEST(Limit, ANumberLessMayCostItsPenalty) {
   EXPECT_DOUBLE_EQ(limit(equation), 14.0);
   EXPECT_TRUE(Limit::prefers({{}, 9.0}, {equation, 1.0}));
   EXPECT_FALSE(Limit::prefers({equation, 2.0}, {equation, 1.0}));
-}
-
-TEST(FormProblem, TriesEachCandidateAndPutsTheBestFirst) {
-  const FormProblem problem(decay(), Vector::Zero(1), {});
-  const EquationForms constant{0, {problem.linear_terms()[0]}, {}};
-  const std::vector<Trial> trials =
-      problem.with_each(constant, {form_of_x("exp(x)"), form_of_x("sin(x)")});
-  ASSERT_EQ(trials.size(), 2u);
-  EXPECT_EQ(trials[0].equation.forms[0].expression().to_string(), "sin(x)");
-  EXPECT_LT(trials[0].left, trials[1].left);
 }
 
 TEST(FormProblem, TriesOnlyWhatMayComeToWhatIsWanted) {
@@ -243,18 +161,6 @@ TEST(FormProblem, TriesOnlyWhatMayComeToWhatIsWanted) {
   EXPECT_EQ(some[0].equation.forms[0].expression().to_string(), "sin(x)");
 }
 
-TEST(FormProblem, AShapeWithARangeOfOneValueKeepsIt) {
-  const FormProblem problem(decay(), Vector::Zero(1), {});
-  Candidate narrow = form_of_x("x/(a+x)");
-  narrow.shapes = {{"a", "", 0.5, 0.5, true}};
-  narrow.starts = {Vector::Constant(1, 0.5)};
-  const EquationForms constant{0, {problem.linear_terms()[0]}, {}};
-  const std::vector<Trial> trials = problem.with_each(constant, {narrow});
-  ASSERT_EQ(trials.size(), 1u);
-  EXPECT_EQ(trials[0].equation.forms[0].shapes[0], 0.5);
-  EXPECT_TRUE(std::isfinite(trials[0].left));
-}
-
 TEST(FormProblem, AShapeThatGoesToAnEndOfItsRangeStaysThere) {
   const FormProblem problem(decay(), Vector::Zero(1), {});
   Candidate saturating = form_of_x("x/(a+x)");
@@ -267,27 +173,184 @@ TEST(FormProblem, AShapeThatGoesToAnEndOfItsRangeStaysThere) {
   EXPECT_NEAR(left, problem.left(equation), 1e-9 * left);
 }
 
-TEST(FormProblem, FormsOfMoreParametersThanThereAreAreNotRated) {
-  const FormProblem problem(decay(), Vector::Zero(1), {});
-  const EquationForms constant{0, {problem.linear_terms()[0]}, {}};
-  Candidate saturating = form_of_x("x/(a+x)");
-  saturating.shapes = {{"a", "", 0.1, 2.0, true}};
-  saturating.starts = {Vector::Constant(1, 0.5)};
-  const Matrix left =
-      problem.rated({{constant, 2, 1}}, all_starts({saturating, form_of_x("sin(x)")}));
-  ASSERT_EQ(left.size(), 2);
-  EXPECT_TRUE(std::isinf(left(0, 0)));
-  EXPECT_TRUE(std::isfinite(left(1, 0)));
+/// x = 2 cos t, y = -2 sin t: dx/dt = y, dy/dt = -x.
+Dataset circle(Index n, double noise, double length = 20.0, std::uint64_t seed = 1) {
+  Dataset data;
+  data.states = {{"x", ""}, {"y", ""}};
+  Trajectory record;
+  record.time = Vector::LinSpaced(n, 0.0, length);
+  record.states.resize(n, 2);
+  record.inputs.resize(n, 0);
+  Random random(seed);
+  for (Index i = 0; i < n; ++i) {
+    record.states(i, 0) = 2.0 * std::cos(record.time[i]) + noise * random.normal();
+    record.states(i, 1) = -2.0 * std::sin(record.time[i]) + noise * random.normal();
+  }
+  data.trajectories = {record};
+  return data;
 }
 
-TEST(FormProblem, FormsWithoutARangeHaveNoStarts) {
-  Candidate wide = form_of_x("x/(a+x)");
-  wide.shapes = {{"a", "", 1e-3, INFINITY, true}};
-  wide.starts = {Vector::Constant(1, 1.0)};
-  Candidate unknown = wide;
-  unknown.shapes[0].high = 1.0;
-  unknown.starts = {Vector::Constant(1, NAN), Vector::Constant(1, 0.1)};
-  EXPECT_EQ(all_starts({wide, unknown}).size(), 1u);
+TEST(FormRows, HoldWhereTheEquationDoes) {
+  const FormRows rows(circle(2001, 0.0), Vector::Zero(2));
+  const Matrix columns =
+      rows.columns({parse_expression("x"), parse_expression("y"), parse_expression("x*y")});
+  ASSERT_EQ(columns.rows(), rows.rows());
+  EXPECT_GT(rows.rows(), 200);
+  EXPECT_LT((columns.col(1) - rows.target(0)).norm(), 1e-6 * rows.target(0).norm());
+  EXPECT_LT((columns.col(0) + rows.target(1)).norm(), 1e-6 * rows.target(1).norm());
+}
+
+TEST(FormRows, MeasuredRatesAreTheTargetWithoutAnErrorOfQuadrature) {
+  Dataset data = circle(101, 0.0);
+  Trajectory& record = data.trajectories[0];
+  record.derivatives = record.states;
+  record.derivatives.col(0) = record.states.col(1);
+  record.derivatives.col(1) = -record.states.col(0).array().cube().matrix();
+  const FormRows rows(data, Vector::Zero(2));
+  const Matrix columns = rows.columns({parse_expression("y"), parse_expression("x^3")});
+  EXPECT_LT((columns.col(0) - rows.target(0)).norm(), 1e-13 * rows.target(0).norm());
+  EXPECT_LT((columns.col(1) + rows.target(1)).norm(), 1e-13 * rows.target(1).norm());
+  EXPECT_EQ(rows.samples(), 99) << "test functions are 0 at their ends";
+  EXPECT_EQ(rows.rate(0), record.derivatives.col(0).segment(1, 99));
+}
+
+TEST(FormRows, OfALongRecordKeepTheSamplesWithinTestFunctions) {
+  // 20 000 turns of 20 samples: a thousand rows are far apart.
+  Dataset data = circle(200001, 0.0);
+  Trajectory& record = data.trajectories[0];
+  record.time *= 1000.0;
+  for (Index i = 0; i < record.samples(); ++i)
+    record.states.row(i) << 2.0 * std::cos(record.time[i]), -2.0 * std::sin(record.time[i]);
+  const FormRows rows(data, Vector::Zero(2));
+  EXPECT_LT(rows.samples(), 160000);
+  const Expression y = parse_expression("y");
+  EXPECT_EQ(rows.values({y}).rows(), rows.samples());
+  EXPECT_LT((rows.values({y}).col(0) - rows.rate(0)).cwiseAbs().maxCoeff(), 0.02);
+  EXPECT_LT((rows.columns({y}).col(0) - rows.target(0)).norm(), 1e-3 * rows.target(0).norm());
+  EXPECT_EQ(rows.projected(rows.values({y})), rows.columns({y}));
+}
+
+Matrix noise(Index rows, Index columns, std::uint64_t seed) {
+  Random random(seed);
+  Matrix values(rows, columns);
+  for (double& value : values.reshaped()) value = random.normal();
+  return values;
+}
+
+Matrix joined(const Matrix& columns, const Matrix& more) {
+  Matrix all(columns.rows(), columns.cols() + more.cols());
+  all.leftCols(columns.cols()) = columns;
+  all.rightCols(more.cols()) = more;
+  return all;
+}
+
+TEST(BaseColumns, OneColumnMoreLeavesWhatLeastSquaresLeaves) {
+  const Matrix columns = noise(40, 5, 1);
+  const Vector target = noise(40, 1, 2), more = noise(40, 1, 3);
+  const BaseColumns base(columns, target);
+  EXPECT_NEAR(base.left(), residual_squares(columns, target), 1e-12);
+  EXPECT_NEAR(base.left_with(more), residual_squares(joined(columns, more), target), 1e-12);
+  EXPECT_NEAR(base.left_with(columns.col(2)), base.left(), 1e-12);
+  EXPECT_NEAR(BaseColumns(Matrix(40, 0), target).left_with(more),
+              residual_squares(more, target), 1e-12);
+}
+
+TEST(BaseColumns, TheRestIsWhatLeastSquaresLeavesOfEachRow) {
+  const Matrix columns = noise(40, 5, 21);
+  const Vector target = noise(40, 1, 22), more = noise(40, 1, 23);
+  const BaseColumns base(columns, target);
+  const Matrix all = joined(columns, more);
+  const Vector rest = target - all * all.householderQr().solve(target);
+  EXPECT_LT((base.rest_with(more) - rest).norm(), 1e-12);
+  EXPECT_NEAR(base.rest_with(columns.col(2)).squaredNorm(), base.left(), 1e-12);
+  const Vector broken = Vector::Constant(40, std::numeric_limits<double>::quiet_NaN());
+  EXPECT_FALSE(base.rest_with(broken).allFinite());
+}
+
+TEST(BaseColumns, APairLeavesWhatLeastSquaresLeavesAndHasItsCoefficients) {
+  const Matrix columns = noise(40, 5, 11);
+  const Vector first = noise(40, 1, 12), second = 30.0 * noise(40, 1, 13);
+  const Vector target = noise(40, 1, 14) + 2.0 * first - 0.5 * second;
+  const BaseColumns base(columns, target);
+  const BaseColumns::Pair pair = base.with_pair(first, second);
+  const Matrix all = joined(joined(columns, first), second);
+  EXPECT_NEAR(pair.left, residual_squares(all, target), 1e-11);
+  const Vector h = all.householderQr().solve(target);
+  EXPECT_NEAR(pair.first, h[5], 1e-11);
+  EXPECT_NEAR(pair.second, h[6], 1e-11);
+  EXPECT_NEAR(base.with_pair(columns.col(1), columns.col(2)).left, base.left(), 1e-11);
+}
+
+/// Without the column that is missed least beside another.
+Matrix without_least(const Matrix& columns, const Matrix& more, const Vector& target) {
+  double least = std::numeric_limits<double>::infinity();
+  Matrix best;
+  for (Index i = 0; i < columns.cols(); ++i) {
+    std::vector<Index> kept;
+    for (Index c = 0; c < columns.cols(); ++c)
+      if (c != i) kept.push_back(c);
+    const Matrix few = columns(Eigen::all, kept);
+    const double left = residual_squares(joined(few, more), target);
+    if (left < least) best = few;
+    least = std::min(least, left);
+  }
+  return best;
+}
+
+TEST(BaseColumns, WithoutSomeTheyGoOneByOneAsTheyAreMissed) {
+  const Matrix columns = noise(40, 5, 4), none(40, 0);
+  const Vector target = noise(40, 1, 5), more = noise(40, 1, 6);
+  const BaseColumns base(columns, target);
+  Matrix beside = columns, alone = columns;
+  for (Index gone = 0; gone <= 5; ++gone) {
+    EXPECT_NEAR(base.left_without(gone, more), residual_squares(joined(beside, more), target),
+                1e-10);
+    EXPECT_NEAR(base.left_without(gone), residual_squares(alone, target), 1e-10);
+    if (gone == 5) break;
+    beside = without_least(beside, more, target);
+    alone = without_least(alone, none, target);
+  }
+  EXPECT_TRUE(std::isinf(base.left_without(6)));
+  EXPECT_TRUE(std::isinf(base.left_without(1, columns.col(2)))) << "nothing new";
+}
+
+constexpr double kNoise = 0.01;
+
+Dataset noisy_circle(std::uint64_t seed) { return circle(2001, kNoise, 40.0, seed); }
+
+EquationForms rate_of_x(const FormProblem& problem, const std::string& term) {
+  return {0, {Term(parse_expression(term), problem.all_rows().variables())}, {}};
+}
+
+TEST(NoiseResidual, IsWhatNoiseLeavesOfARightEquationOnAverage) {
+  constexpr int kRecords = 40;
+  const Vector noise = Vector::Constant(2, kNoise);
+  double sum = 0.0, squares = 0.0;
+  NoiseSquares expected;
+  for (int seed = 1; seed <= kRecords; ++seed) {
+    const FormProblem problem(noisy_circle(static_cast<std::uint64_t>(seed)), noise);
+    const double left = problem.left(rate_of_x(problem, "y"));
+    sum += left;
+    squares += left * left;
+    Matrix sensitivity = Matrix::Zero(problem.all_rows().samples(), 2);
+    sensitivity.col(1).setOnes();
+    expected = problem.all_rows().noise_squares(sensitivity, noise, 0);
+    EXPECT_GT(expected.mean, 1.02 * problem.residual_noise(0)) << "noise of y counts as well";
+  }
+  const double mean = sum / kRecords;
+  const double deviation = std::sqrt(squares / kRecords - mean * mean);
+  // Of a mean of 40, and of a deviation of 40.
+  EXPECT_NEAR(mean, expected.mean, 4.0 * expected.deviation / std::sqrt(1.0 * kRecords));
+  EXPECT_NEAR(deviation, expected.deviation, 0.45 * expected.deviation);
+}
+
+TEST(NoiseResidual, SaysWhereAFormWouldFitNoise) {
+  const FormProblem problem(noisy_circle(1), Vector::Constant(2, kNoise));
+  constexpr double kHalf = 0.5;
+  EXPECT_TRUE(problem.would_fit_noise(rate_of_x(problem, "y"), kHalf));
+  EXPECT_FALSE(problem.would_fit_noise(rate_of_x(problem, "y"), 1.5));
+  EXPECT_FALSE(problem.would_fit_noise(rate_of_x(problem, "y^3"), kHalf));
+  EXPECT_FALSE(problem.would_fit_noise({0, {}, {}}, kHalf));
 }
 
 }  // namespace

@@ -45,6 +45,8 @@ TEST(IdentifyRecords, FindsVerifiesAndJudges) {
   EXPECT_EQ(found.verification->integrator, "auto");
   ASSERT_TRUE(found.result.validation);
   EXPECT_EQ(found.result.validation->verdict, ValidationVerdict::FitsToNoise);
+  EXPECT_EQ(left_out_line(found.result.stages), "");
+  EXPECT_EQ(answer_from(found.result.stages), kSynchronisationStage);
 }
 
 TEST(IdentifyRecords, KeepsToALibraryThatIsTheUsersOwn) {
@@ -97,13 +99,6 @@ TEST(IdentifyRecords, AQuickRunLeavesOutFormsAndRelations) {
   EXPECT_EQ(stage_of(found.result, kRelationsStage)->why, kIsQuick);
   EXPECT_TRUE(stage_of(found.result, kValidationStage)->done);
   EXPECT_TRUE(found.verification);
-}
-
-TEST(IdentifyRecords, AWholeRunSaysThatAllStagesWereDone) {
-  const Identification found = identify_records(pendulum(0.001));
-  EXPECT_EQ(left_out_line(found.result.stages), "");
-  EXPECT_EQ(answer_from(found.result.stages), kSynchronisationStage);
-  EXPECT_TRUE(stage_of(found.result, kFormsStage)->done);
 }
 
 /// Polynomials explain little of these forces: without derivatives trajectories show that.

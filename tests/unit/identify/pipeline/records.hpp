@@ -5,7 +5,6 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
-#include <string>
 
 #include "core/base/random.hpp"
 #include "lacuna/dynamics/integration/runge_kutta.hpp"

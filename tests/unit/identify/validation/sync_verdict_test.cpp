@@ -130,7 +130,6 @@ TEST(SyncVerdict, AWrongModelOnAnUnstableOrbitDoesNotHold) {
   EXPECT_FALSE(verdict_on_an_unstable_orbit(0.99).holds);
 }
 
-/// A slave that noise drives anywhere says nothing for the model.
 /// The oscillator's record with v not measured.
 Dataset position_only() {
   Dataset data = record(0.01, 0.0);
@@ -159,6 +158,7 @@ TEST(SyncVerdict, AHiddenStateThatTheRecordDoesNotTellLeavesNoVerdict) {
   EXPECT_THAT(found.sentence, HasSubstr("Undecided"));
 }
 
+/// A slave that noise drives anywhere says nothing for the model.
 TEST(SyncVerdict, ALostSlaveDoesNotHold) {
   const Dataset data = record(0.01, 0.0);
   const OdeModel model = damped_oscillator(1.5);

@@ -1,19 +1,27 @@
 // SPDX-License-Identifier: MIT
-#include "identify/validation/validate.hpp"
-
+// Models beside records that did not choose them.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "identify/validation/held_blocks.hpp"
 #include "identify/validation/refit.hpp"
+#include "identify/validation/validate.hpp"
+#include "lacuna/cli/configuration/registry.hpp"
 #include "lacuna/core/base/error.hpp"
 #include "lacuna/data/derivatives/finite_differences.hpp"
+#include "lacuna/identify/validation/advice.hpp"
+#include "lacuna/identify/validation/validation_options.hpp"
 #include "lacuna/records/binding/embedding.hpp"
+#include "lacuna/regression/pruners/keep_all.hpp"
+#include "lacuna/solvers/stlsq.hpp"
+#include "lacuna/trajectories/refiners/no_refiner.hpp"
 #include "unit/identify/validation/systems.hpp"
 
 namespace lacuna {
 namespace {
 
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
 using testing::lorenz_record;
 using testing::measured;
 using testing::record_of_text;
@@ -187,15 +195,6 @@ TEST(Validate, CoefficientsThatAreShownHaveToPredictToo) {
   EXPECT_FALSE(validation.refitted);
 }
 
-TEST(Validate, TheModelStaysWhatItIs) {
-  const Dataset data = lorenz_record(0.01, 1500);
-  const Pipeline pipeline = with_terms(kLorenzTerms);
-  const IdentificationResult found = identify(data, pipeline);
-  const std::string before = to_text(found.model);
-  validate({found, data, pipeline});
-  EXPECT_EQ(to_text(found.model), before);
-}
-
 /// th'' = -24 sin th - 0.1 th', its angle on the steps of an encoder, 1024 a turn.
 Dataset encoded_swing() {
   constexpr double kStep = 2.0 * 3.141592653589793 / 1024.0;
@@ -219,6 +218,136 @@ TEST(Validate, ARefitBeginsWhereTheModelIsAndNotAtRatesThatRoundingTears) {
   ASSERT_TRUE(found);
   EXPECT_NEAR(found->coefficient(1, "sin(th)"), -24.0, 0.1);
   EXPECT_NEAR(found->coefficient(1, "th_d1"), -0.1, 0.02);
+}
+
+std::vector<std::string> advice_on(const Dataset& data, const Pipeline& pipeline) {
+  const IdentificationResult found = identify(data, pipeline);
+  const std::vector<Stage<Effect>> effects = default_registry().make_all<Effect>();
+  return advice_for({found, data, pipeline, effects});
+}
+
+TEST(Advice, NamesTheFormThatTheResidualAsksFor) {
+  const Dataset pendulum = testing::record_of_text("dth/dt = w\ndw/dt = -9*sin(th) - 0.1*w\n",
+                                                   Eigen::Vector2d(2.9, 0.0), 0.01, 3000);
+  const std::vector<std::string> advice =
+      advice_on(pendulum, testing::with_terms({"1", "th", "w"}));
+  EXPECT_THAT(advice, ElementsAre(::testing::AllOf(HasSubstr("dw/dt"), HasSubstr("sin(th"),
+                                                   HasSubstr("--add"))));
+}
+
+/// Coefficients below 0.1 are thresholded away: to add such a term is no advice.
+TEST(Advice, WhatThePipelineWouldTakeOutAgainIsNotAdvised) {
+  Pipeline pipeline = testing::with_terms({"1", "x", "v"});
+  pipeline.regressor = Stlsq{{.threshold = 0.1}};
+  pipeline.pruner = KeepAll{};
+  pipeline.refiner = NoRefiner{};
+  const auto advice_with = [&](const std::string& size) {
+    return advice_on(testing::record_of_text("dx/dt = v\ndv/dt = -x + " + size + "*sin(4*x)\n",
+                                             Eigen::Vector2d(2.0, 0.0), 0.01, 3000),
+                     pipeline);
+  };
+  EXPECT_THAT(advice_with("0.5"), ElementsAre(HasSubstr("--add \"sin(x/0.25)\"")));
+  EXPECT_THAT(advice_with("0.05"), ElementsAre(HasSubstr("lacuna diagnose")));
+}
+
+TEST(Advice, PointsToADiagnosisWhereNoFunctionHelps) {
+  // A force that is not in the record.
+  const Dataset driven =
+      testing::record_of_text("dx/dt = v\ndv/dt = -x - 0.2*v + 3*sin(2.3*t)*cos(0.31*t)\n",
+                              Eigen::Vector2d(1.0, 0.0), 0.05, 2000);
+  const std::vector<std::string> advice =
+      advice_on(driven, testing::with_terms({"1", "x", "v"}));
+  ASSERT_FALSE(advice.empty());
+  EXPECT_THAT(advice.back(), HasSubstr("lacuna diagnose"));
+}
+
+const Dataset kData{"s", {{"x", ""}, {"y", ""}}, {}, {}, {}};
+
+/// Residuals say of x that it fits, and of y that it does not.
+IdentificationResult sample_result() {
+  const Variables variables{{"x", "y"}, {}};
+  IdentificationResult result{
+      OdeModel({{"x", ""}, {"y", ""}}, {},
+               {{{Term::parse("y", variables), 1.0}}, {{Term::parse("x", variables), -1.0}}}),
+      Vector::Zero(2),
+      {},
+      {},
+      {},
+      {"first", "y is off", "last"}};
+  result.fit = {{.equation = "x", .rows = 50, .fits_to_noise = true},
+                {.equation = "y", .rows = 50, .fits_to_noise = false, .doubt = "y is off"}};
+  return result;
+}
+
+Validation said(ValidationVerdict verdict, Adequate whole, Adequate of_x, Adequate of_y) {
+  Validation validation{.verdict = verdict};
+  validation.adequacy = {whole, {{"x", of_x, 100, true}, {"y", of_y, 100, true}}};
+  return validation;
+}
+
+TEST(TakeIn, WhatPredictionsSayStandsForWhatResidualsSaid) {
+  IdentificationResult result = sample_result();
+  take_in(said(ValidationVerdict::FitsToNoise, Adequate::Yes, Adequate::Yes, Adequate::Yes),
+          kData, result);
+  EXPECT_EQ(result.fit[1].fits_to_noise, true);
+  EXPECT_THAT(result.warnings, ElementsAre("first", "last")) << "the doubt is withdrawn";
+  EXPECT_EQ(result.adequacy.fits, Adequate::Yes);
+  ASSERT_TRUE(result.validation);
+
+  result = sample_result();
+  take_in(said(ValidationVerdict::Approximation, Adequate::No, Adequate::No, Adequate::Yes),
+          kData, result);
+  EXPECT_EQ(result.fit[0].fits_to_noise, false);
+  EXPECT_EQ(result.fit[1].fits_to_noise, true);
+  EXPECT_EQ(result.adequacy.fits, Adequate::No);
+}
+
+TEST(TakeIn, WhatPredictionsDoNotTellIsNoClaimBesideTheirVerdict) {
+  IdentificationResult result = sample_result();
+  take_in(said(ValidationVerdict::FitsToNoise, Adequate::Yes, Adequate::Yes,
+               Adequate::Undetermined),
+          kData, result);
+  EXPECT_EQ(result.fit[1].fits_to_noise, std::nullopt);
+  EXPECT_THAT(result.warnings, ElementsAre("first", "last"));
+
+  result = sample_result();
+  take_in(said(ValidationVerdict::Undecided, Adequate::Undetermined, Adequate::Undetermined,
+               Adequate::Undetermined),
+          kData, result);
+  EXPECT_EQ(result.fit[0].fits_to_noise, true) << "the residuals' word, beside a known noise";
+  EXPECT_EQ(result.fit[1].fits_to_noise, false);
+  EXPECT_EQ(result.adequacy.fits, Adequate::Undetermined);
+}
+
+TEST(ValidationOptions, StayInTheirRanges) {
+  EXPECT_NO_THROW(checked(ValidationOptions{}));
+  EXPECT_THROW(checked(ValidationOptions{.resolution = -1.0}), ConfigError);
+  EXPECT_THROW(checked(ValidationOptions{.held_every = 1}), ConfigError);
+}
+
+TEST(ValidationOptions, ReachTheVerdict) {
+  const Dataset data = testing::lorenz_record(0.01, 1500);
+  const Pipeline pipeline = algorithm1();
+  const IdentificationResult found = identify(data, pipeline);
+  const auto verdict = [&](const ValidationOptions& options) {
+    return validate({found, data, pipeline}, options).verdict;
+  };
+  EXPECT_EQ(verdict({}), ValidationVerdict::FitsToNoise);
+  EXPECT_EQ(verdict({.least_freedom = 100000}), ValidationVerdict::Undecided);
+}
+
+TEST(ValidationOptions, NoMoreSamplesAreUsedThanATestNeeds) {
+  const Dataset data = testing::lorenz_record(0.01, 6000);
+  const Pipeline pipeline = algorithm1();
+  const IdentificationResult found = identify(data, pipeline);
+  const Validation whole = validate({found, data, pipeline}, {.most_samples = 100000});
+  const Validation few = validate({found, data, pipeline}, {.most_samples = 600});
+  EXPECT_NEAR(double(whole.samples), 1500.0, 100.0);
+  EXPECT_NEAR(double(few.samples), 600.0, 30.0);
+  EXPECT_EQ(few.verdict, whole.verdict) << few.sentence;
+  const Validation long_windows =
+      validate({found, data, pipeline}, {.most_samples = 100, .least_windows = 20});
+  EXPECT_GE(long_windows.windows.windows, 15);
 }
 
 }  // namespace

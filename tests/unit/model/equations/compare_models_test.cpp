@@ -38,10 +38,5 @@ TEST(CompareModels, ATermTooManyOrTooFewIsAnotherStructure) {
   EXPECT_FALSE(compare_models(of_two("3*x", "-4*x"), truth).exact_structure);
 }
 
-TEST(CompareModels, OtherNumbersOfStatesAreRefused) {
-  EXPECT_THROW(compare_models(parse_ode("dx/dt = x\n", "one"), of_two("y", "x")),
-               ArgumentError);
-}
-
 }  // namespace
 }  // namespace lacuna

@@ -47,27 +47,6 @@ TEST(Event, OneThatBeganTooLongAgoIsAnError) {
   EXPECT_EQ(times_of({{.time = -1e300, .period = 1e300}}, 0.0, 10.0), std::vector<double>{0.0});
 }
 
-TEST(Event, IsWrittenAsItIsRead) {
-  EXPECT_EQ(occasion_text({.time = 4.5}), "at 4.5");
-  EXPECT_EQ(occasion_text({.time = 0.0, .period = 12.0}), "every 12");
-  EXPECT_EQ(occasion_text({.time = 6.0, .period = 12.0, .last = 96.0}),
-            "every 12 from 6 until 96");
-  EXPECT_EQ(occasion_text({.guard = kX - Expression(2.0)}), "when x > 2");
-  EXPECT_EQ(to_text(Reset{"x", kX + Expression(3.0)}), "x += 3");
-  EXPECT_EQ(to_text(Reset{"x", kX - Expression(3.0)}), "x -= 3");
-  EXPECT_EQ(to_text(Reset{"x", kX * Expression(3.0)}), "x *= 3");
-  EXPECT_EQ(to_text(Reset{"x", Expression(3.0) - kX}), "x = 3-x");
-}
-
-TEST(Event, ParametersGetNumbers) {
-  const std::vector<Event> events =
-      substituted({{.guard = kX - Expression::variable("c"),
-                    .resets = {{"x", Expression::variable("c")}}}},
-                  {{"c", Expression(2.0)}});
-  EXPECT_EQ(occasion_text(events[0]), "when x > 2");
-  EXPECT_EQ(to_text(events[0].resets[0]), "x = 2");
-}
-
 OdeModel model_with(Event event) {
   return parse_ode("dx/dt = -x\ndy/dt = x", "m.ode").with_events({std::move(event)});
 }

@@ -37,16 +37,6 @@ std::string message(const std::function<void()>& action) {
   return "no error";
 }
 
-TEST(OdeModel, HoldsWhatItWasGiven) {
-  const OdeModel model = oscillator();
-  EXPECT_EQ(model.dimension(), 2);
-  EXPECT_EQ(model.variables(), kPositionAndSpeed);
-  EXPECT_EQ(model.time_unit(), "ms");
-  EXPECT_EQ(model.state_index("v"), 1);
-  EXPECT_EQ(model.coefficient(1, "x^3"), -0.5);
-  EXPECT_EQ(model.coefficient(0, "x^3"), 0.0);
-}
-
 TEST(OdeModel, TermsGetCanonicalNamesInItsOwnVariables) {
   const Variables other{{"v", "x"}, {}};
   const OdeModel model({{"x", ""}, {"v", ""}}, {}, {{{Term::parse("v*x", other), 1.0}}, {}});
@@ -87,17 +77,6 @@ TEST(IdentityOf, IsAnotherStateAloneWithCoefficientOne) {
   EXPECT_EQ(identity("x", 1.0), std::nullopt) << "dx/dt = x is growth";
   EXPECT_EQ(identity_of(oscillator(), 1), std::nullopt);
   EXPECT_THROW(identity_of(oscillator(), 2), ArgumentError);
-}
-
-TEST(OdeModel, RejectsBadNames) {
-  const auto named = [](const std::string& state, const std::string& input) {
-    return message([&] { OdeModel({{state, ""}}, {{input, ""}}, {{}}); });
-  };
-  EXPECT_EQ(named("x", "u"), "no error");
-  EXPECT_THAT(named("x", "x"), HasSubstr("'x' is given twice"));
-  EXPECT_THAT(named("x y", "u"), HasSubstr("'x y' is not an identifier"));
-  EXPECT_THAT(named("t", "u"), HasSubstr("'t' is a word of the formula language"));
-  EXPECT_THAT(named("x", "sin"), HasSubstr("'sin' is a word of the formula language"));
 }
 
 TEST(OdeModel, RejectsEquationsThatDoNotFit) {

@@ -96,6 +96,21 @@ TEST(Rounding, NumbersInFormulasForPeople) {
             parse_expression("(1+0.885*exp(-(x/8.206)^2))*sign(x)").to_string());
 }
 
+TEST(Rounding, SumsWithNumbersAreWrittenPlainly) {
+  const auto plain = [](const Expression& e) { return with_rounded_numbers(e, 3).to_string(); };
+  const Expression y = Expression::variable("y");
+  const auto number = [](double value) { return Expression::number(value); };
+  const auto minus = [](const Expression& a, const Expression& b) {
+    return Expression::make(Operation::Subtract, {a, b});
+  };
+  EXPECT_EQ(plain(minus(number(-0.0), y)), "-y");
+  EXPECT_EQ(plain(minus(Expression::make(Operation::Negate, {number(0.0)}), y)), "-y");
+  EXPECT_EQ(plain(minus(y, number(-2.00049))), "y+2");
+  EXPECT_EQ(plain(Expression::make(Operation::Add, {y, number(-2.00049)})), "y-2");
+  EXPECT_EQ(plain(minus(y, number(0.0))), "y");
+  EXPECT_EQ(plain(minus(number(-2.5), y)), "-2.5-y");
+}
+
 TEST(Rounding, TimesOfDelaysAreNumbersInside) {
   const Expression form = parse_expression("delay(v,0.006999657863728598)-v");
   EXPECT_EQ(with_rounded_numbers(form, 4).to_string(),

@@ -60,10 +60,6 @@ TEST(Term, UnknownNamesAreErrors) {
   EXPECT_THROW(Term(Expression::variable("q"), kPlane), ModelError);
 }
 
-TEST(Term, MonomialNeedsOneExponentPerVariable) {
-  EXPECT_THROW(Term::monomial({1, 2, 3}, kPlane), ArgumentError);
-}
-
 TEST(TermLibrary, CompilesAllTermsIntoOneProgram) {
   const TermLibrary library{kPlane, {term("1"), term("x*y"), term("sin(u)"), term("1/y")}};
   EXPECT_EQ(library.size(), 4);

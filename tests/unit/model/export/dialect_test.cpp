@@ -22,22 +22,6 @@ std::string sum(const std::string& formula) {
   return code(model.equations()[0], test_dialect());
 }
 
-TEST(Dialect, ParenthesesStandWhereTheyAreNeeded) {
-  EXPECT_EQ(plain("x-(y-z)"), "x - (y - z)");
-  EXPECT_EQ(plain("x-(y+z)"), "x - (y + z)");
-  EXPECT_EQ(plain("(x-y)+z"), "x - y + z");
-  EXPECT_EQ(plain("x/(y*z)"), "x/(y*z)");
-  EXPECT_EQ(plain("x/(y/z)"), "x/(y/z)");
-  EXPECT_EQ(plain("(x+y)*z"), "(x + y)*z");
-  EXPECT_EQ(plain("x*(-y)"), "x*(-y)");
-  EXPECT_EQ(plain("-(x+y)"), "-(x + y)");
-  EXPECT_EQ(plain("(-x)^2"), "(-x)^2");
-  EXPECT_EQ(plain("-x^2"), "-x^2");
-  EXPECT_EQ(plain("(x^y)^z"), "(x^y)^z");
-  EXPECT_EQ(plain("x^y^z"), "x^(y^z)");
-  EXPECT_EQ(plain("x^(-2)"), "x^(-2)");
-}
-
 /// x + (y - z) and (x + y) - z are not the same number where x and y nearly cancel.
 TEST(Dialect, KeepsTheOrderOfWhatIsComputed) {
   EXPECT_EQ(plain("x+(y-z)"), "x + (y - z)");
@@ -58,41 +42,6 @@ TEST(Dialect, SumsAreAsLongAsTheyAre) {
     expected += (i > 2 ? " + x^" : "x^") + std::to_string(i);
   }
   EXPECT_EQ(code(equation, test_dialect()), expected);
-}
-
-TEST(Dialect, SaysHowNumbersTimeAndFunctionsAreWritten) {
-  Dialect dialect = test_dialect();
-  dialect.time = "time";
-  dialect.power_sign = "**";
-  dialect.number = number_with_point;
-  dialect.calls[Operation::Asin] = called("arcsin");
-  dialect.node = "v";
-  const Expression formula = parse_expression("2*asin(x)+t^2+1e-5*max(x,lambda)-(-0)*x");
-  EXPECT_EQ(code(formula, dialect),
-            "2.0*arcsin(v(x)) + time**2.0 + 1e-05*max(v(x), v(lambda_)) - (-0.0*v(x))");
-}
-
-TEST(Dialect, GuardsPowersAndQuotients) {
-  Dialect dialect = test_dialect();
-  dialect.real = "real";
-  dialect.scalar = "number";
-  EXPECT_EQ(code(parse_expression("x^2+x^0.5+2^x+x/2"), dialect),
-            "x^2 + sqrt(x) + real(2^x) + x/2");
-  EXPECT_EQ(code(parse_expression("x*(1/0)+(-8)^2"), dialect),
-            "x*(number(1)/0) + number(-8)^2");
-}
-
-TEST(Dialect, NamesAreThoseOfTheTable) {
-  EXPECT_EQ(plain("lambda*x"), "lambda_*x");
-  EXPECT_THROW(code_name("other", test_dialect()), std::out_of_range);
-}
-
-TEST(Dialect, RefusesDelaysThatItDoesNotHave) {
-  EXPECT_THROW(plain("delay(x,0.5)"), ModelError);
-  Dialect dialect = test_dialect();
-  dialect.has_delay = true;
-  EXPECT_EQ(code(parse_expression("delay(lambda,0.5)"), dialect), "delay(lambda_, 0.5)");
-  EXPECT_THROW(code(parse_expression("delay(x,y)"), dialect), ModelError);
 }
 
 TEST(Dialect, RefusesWhatIsNestedTooDeepForCompilers) {

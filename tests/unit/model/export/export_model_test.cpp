@@ -71,40 +71,6 @@ int main(void) {
   expect_rates(testing::printed_numbers(program));
 }
 
-TEST(ExportModel, CppIsCompiledAndGivesTheRates) {
-  if (!testing::can_run("c++ --version")) GTEST_SKIP() << "there is no C++ compiler";
-  const testing::TemporaryFolder place;
-  const std::string source = place.write("model.cpp", exported("cpp") + R"(#include <cstdio>
-int main() {
-  for (const double r : lacuna_rate(0.7, {0.3, -0.4, 1.2}, {-0.8, 2.5})) std::printf("%.17g ", r);
-})");
-  const std::string program = place.file("model");
-  ASSERT_TRUE(
-      testing::can_run("c++ -std=c++17 -Wall -Wextra -Werror " + source + " -o " + program));
-  expect_rates(testing::printed_numbers(program));
-}
-
-TEST(ExportModel, PythonGivesTheRates) {
-  const std::string python = testing::python_with("numpy");
-  if (python.empty()) GTEST_SKIP() << "there is no numpy";
-  const testing::TemporaryFolder place;
-  const std::string script =
-      place.write("model.py", exported("python") +
-                                  "\nprint(*('%.17g' % r for r in rate(0.7, [0.3, -0.4, 1.2], "
-                                  "[-0.8, 2.5])))\n");
-  expect_rates(testing::printed_numbers(python + " " + script));
-}
-
-TEST(ExportModel, MatlabGivesTheRatesInOctave) {
-  if (!testing::can_run("octave-cli --version")) GTEST_SKIP() << "there is no Octave";
-  const testing::TemporaryFolder place;
-  const std::string file = place.write("lacuna_rate.m", exported("matlab"));
-  expect_rates(testing::printed_numbers(
-      "cd " + std::filesystem::path(file).parent_path().string() +
-      " && octave-cli --quiet --eval \"printf('%.17g ', lacuna_rate(0.7, "
-      "[0.3; -0.4; 1.2], [-0.8; 2.5]))\""));
-}
-
 /// dv/dt = -v/2 + u^2 - v^3 from v = 0: the voltage of the sub-circuit after 1 s.
 TEST(ExportModel, SpiceHasTheSolutionInNgspice) {
   if (!testing::can_run("ngspice --version")) GTEST_SKIP() << "there is no ngspice";

@@ -10,22 +10,6 @@
 namespace lacuna {
 namespace {
 
-TEST(QuotedText, LeavesUnitsAsTheyAre) {
-  for (const char* unit :
-       {"m/s^2", "rad/s", "kg*m^2/(s^3*A)", "1/s", "m^-2", "%", "N m", "V_rms"})
-    EXPECT_EQ(quoted_text(unit), unit);
-}
-
-TEST(QuotedText, NumbersWhatIsNotAscii) {
-  EXPECT_EQ(quoted_text("\xc2\xb0"
-                        "C"),
-            "<U+00B0>C");
-  EXPECT_EQ(quoted_text("\xe2\x80\xae"), "<U+202E>");
-  EXPECT_EQ(quoted_text("\xf0\x9f\x98\x80"), "<U+1F600>");
-  EXPECT_EQ(quoted_text("\xff\xc3"), "<0xFF><0xC3>");
-  EXPECT_EQ(quoted_text(std::string("\0\x7f", 2)), "<U+0000><U+007F>");
-}
-
 /// Ends of comments and lines, continuations, escapes, directives, encodings and modelines.
 TEST(QuotedText, MakesNothingOfAnyLanguage) {
   EXPECT_EQ(quoted_text("*/"), "*<U+002F>");

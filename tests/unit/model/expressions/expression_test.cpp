@@ -14,11 +14,6 @@ namespace {
 const Expression kX = Expression::variable("x");
 const Expression kY = Expression::variable("y");
 
-TEST(Expression, DefaultIsZero) {
-  EXPECT_EQ(Expression().operation(), Operation::Number);
-  EXPECT_EQ(Expression().value(), 0.0);
-}
-
 TEST(Expression, OperatorsKeepWhatWasWritten) {
   const Expression e = kX * kX + kY / kX - (-kY);
   EXPECT_EQ(e.operation(), Operation::Subtract);

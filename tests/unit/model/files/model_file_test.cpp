@@ -9,6 +9,7 @@
 #include <string>
 
 #include "lacuna/core/base/error.hpp"
+#include "support/temporary_folder.hpp"
 
 namespace lacuna {
 namespace {
@@ -228,30 +229,14 @@ TEST(ModelFile, NothingCutShortIsAcceptedOrCrashes) {
     EXPECT_THROW(parse_model(text.substr(0, length), "m.json"), ModelError) << length;
 }
 
-class ModelFileOnDisk : public ::testing::Test {
- protected:
-  void SetUp() override {
-    folder_ = std::filesystem::temp_directory_path() /
-              ("lacuna_model_file_" +
-               std::to_string(::testing::UnitTest::GetInstance()->random_seed()) +
-               ::testing::UnitTest::GetInstance()->current_test_info()->name());
-    std::filesystem::create_directories(folder_);
-  }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
-
-  std::filesystem::path folder_;
-};
-
-TEST_F(ModelFileOnDisk, WhatIsWrittenReadsBack) {
-  const std::filesystem::path path = folder_ / "m.json";
-  write_model(path, parse_model(kPendulum, "m.json"));
-  EXPECT_EQ(format_model(read_model(path)), format_model(parse_model(kPendulum, "m.json")));
-}
-
-TEST_F(ModelFileOnDisk, FilesThatCannotBeReadAreNamed) {
-  EXPECT_THROW(read_model(folder_ / "absent.json"), FileError);
-  EXPECT_THROW(read_model(folder_), FileError);
-  EXPECT_THROW(write_model(folder_ / "no" / "m.json", parse_model(kPendulum, "m")), FileError);
+TEST(ModelFileOnDisk, WhatIsWrittenReadsBackAndOthersAreNamed) {
+  const testing::TemporaryFolder folder;
+  write_model(folder.file("m.json"), parse_model(kPendulum, "m.json"));
+  EXPECT_EQ(format_model(read_model(folder.file("m.json"))),
+            format_model(parse_model(kPendulum, "m.json")));
+  EXPECT_THROW(read_model(folder.file("absent.json")), FileError);
+  EXPECT_THROW(read_model(folder.file("")), FileError);
+  EXPECT_THROW(write_model(folder.file("no/m.json"), parse_model(kPendulum, "m")), FileError);
 }
 
 TEST(ModelFile, ReadsTheModelsOfTheMeasuredRecords) {

@@ -152,15 +152,5 @@ TEST(OdeEvent, WordsMayBeNames) {
   EXPECT_TRUE(model.events().empty());
 }
 
-TEST(EventText, PartsStandBetweenCommasOutsideOfParentheses) {
-  const std::vector<ResetParts> parts = reset_parts("x += min(a,b), y = (c, d)");
-  ASSERT_EQ(parts.size(), 2u);
-  EXPECT_EQ(parts[0].state, "x");
-  EXPECT_EQ(parts[0].operation, '+');
-  EXPECT_EQ(parts[0].formula, "min(a,b)");
-  EXPECT_EQ(parts[1].formula, "(c, d)");
-  EXPECT_TRUE(reset_parts("x")[0].state.empty());
-}
-
 }  // namespace
 }  // namespace lacuna

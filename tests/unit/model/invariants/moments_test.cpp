@@ -29,13 +29,6 @@ Dataset noisy_pair(Index n, double noise) {
   return data;
 }
 
-TEST(MonomialMoments, TermsAreInDegreeLexicographicOrder) {
-  const MonomialMoments moments = monomial_moments(noisy_pair(500, 0.1), 2, 1e-4);
-  std::vector<std::string> names;
-  for (const Term& term : moments.terms) names.push_back(term.name());
-  EXPECT_EQ(names, (std::vector<std::string>{"x", "y", "x^2", "x*y", "y^2"}));
-}
-
 TEST(MonomialMoments, NoiseIsThatOfTheMonomials) {
   const Index n = 4000;
   const MonomialMoments noisy = monomial_moments(noisy_pair(n, 0.1), 2, 0.0);

@@ -81,6 +81,10 @@ TEST(ObservedAlike, AnEndThatOtherRecordsGoBeyondIsNoneThere) {
   EXPECT_GT(observed_alike(clipped, first).channels[0].at_top, 0.0);
   EXPECT_EQ(observed_alike(data, first).channels[0].at_top, 0.0);
   EXPECT_EQ(observed_alike(data, first).data.trajectories[0].states, data.trajectories[0].states);
+  Dataset touching = data;  // where its largest samples are, which alone show no end
+  touching.trajectories[0].states.col(0) = (0.5 * x).matrix();
+  EXPECT_EQ(observed(touching).channels[0].at_top, 0.0);
+  EXPECT_GT(observed_alike(touching, first).channels[0].at_top, 0.0);
 }
 
 TEST(Observed, RefusesWhatCannotBeUsed) {

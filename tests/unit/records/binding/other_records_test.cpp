@@ -21,11 +21,6 @@ Dataset record(const std::string& source, double phase) {
   return data;
 }
 
-TEST(OtherRecords, OthersAreFine) {
-  EXPECT_NO_THROW(check_are_others(record("a.csv", 0.0), record("b.csv", 1.0)));
-  EXPECT_NO_THROW(check_are_others(record("a.csv", 0.0), {}));
-}
-
 void expect_refused(const Dataset& used, const Dataset& held_out) {
   expect_error<DataError>([&] { check_are_others(used, held_out); },
                           held_out.trajectories[0].source, "the samples of a.csv", "not used");

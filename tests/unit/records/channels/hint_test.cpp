@@ -14,11 +14,5 @@ TEST(Hint, TheMostThatOneWithholdsIsWhatAllDo) {
             Withheld::Claims);
 }
 
-TEST(Hint, KindsHaveTheNamesOfTheFormat) {
-  EXPECT_EQ(to_string(HintKind::TimeUnit), "time-unit");
-  EXPECT_EQ(to_string(HintKind::NotIdentifiable), "not-identifiable");
-  EXPECT_EQ(to_string(HintKind::DiscreteMap), "discrete-map");
-}
-
 }  // namespace
 }  // namespace lacuna

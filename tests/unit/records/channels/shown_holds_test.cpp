@@ -36,12 +36,6 @@ TEST(ShownHolds, TheModelComesFirst) {
             Hold::Linear);
 }
 
-TEST(ShownHolds, HeldInputsAreThoseThatSaySo) {
-  Dataset data;
-  data.inputs = {{"a", "", Hold::Zero}, {"b", "", Hold::Linear}, {"c", ""}, {"d", "", Hold::Zero}};
-  EXPECT_THAT(held_inputs(data), ::testing::ElementsAre(0, 3));
-}
-
 TEST(ShownHolds, RecordsGetThoseThatNothingIsSaidOf) {
   Dataset data = support::held_record(Hold::Zero, 0.0);
   data.inputs[0].hold.reset();

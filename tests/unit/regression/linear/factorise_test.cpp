@@ -1,15 +1,29 @@
 // SPDX-License-Identifier: MIT
-#include "regression/linear/factorise.hpp"
-
+// Factors of rows.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "lacuna/core/base/error.hpp"
+#include "lacuna/regression/linear/least_squares_system.hpp"
+#include "lacuna/regression/linear/row_source.hpp"
+#include "lacuna/regression/linear/subproblem.hpp"
+#include "regression/linear/column_range.hpp"
+#include "regression/linear/factorise.hpp"
+#include "regression/linear/weighted_rows.hpp"
+#include "support/monomials.hpp"
+#include "support/rossler_data.hpp"
+#include "support/thread_team.hpp"
 
 namespace lacuna {
 namespace {
+
+using testing::Monomials;
+using testing::RosslerData;
+using testing::make_monomials;
+using testing::make_rossler_data;
 
 const auto name_of_column = [](Index column) { return "column " + std::to_string(column); };
 
@@ -34,18 +48,6 @@ TEST(Factorise, BothFoldingsGiveTheSameFactor) {
   EXPECT_LT((gram.column_norms - theta.colwise().norm().transpose()).norm(), 1e-11);
   EXPECT_LT((gram.target_norms - targets.colwise().norm().transpose()).norm(), 1e-11);
   EXPECT_EQ(gram.rows, 2000);
-}
-
-TEST(Factorise, TermColumnsHaveUnitNormAndTargetsTheirOwn) {
-  const Factor factor = factor_of(1e3 * Matrix::Random(500, 4), 7.0 * Matrix::Random(500, 2));
-  const Vector norms = factor.triangle.colwise().norm().transpose();
-  EXPECT_LT((norms.head(4).array() - 1.0).abs().maxCoeff(), 1e-13);
-  EXPECT_LT((norms.tail(2) - factor.target_norms).norm(), 1e-11);
-}
-
-TEST(Factorise, AutomaticKeepsTheGramForNoisyWellConditionedRows) {
-  const Factor factor = factor_of(Matrix::Random(500, 4), Matrix::Random(500, 1));
-  EXPECT_EQ(factor.folding, Folding::Gram);
 }
 
 TEST(Factorise, KeepsTheGramOfWideRowsThatWereFoldedByIt) {
@@ -78,15 +80,6 @@ TEST(Factorise, AutomaticSwitchesForExactTargets) {
   Matrix targets = Matrix::Random(500, 2);
   targets.col(1) = theta.col(0) - theta.col(3) + 1e-8 * targets.col(0);
   EXPECT_EQ(factor_of(theta, targets).folding, Folding::Orthogonal);
-}
-
-TEST(Factorise, ZeroColumnsStayZeroAndAreNoReasonToSwitch) {
-  Matrix theta = Matrix::Random(500, 4);
-  theta.col(1).setZero();
-  const Factor factor = factor_of(theta, Matrix::Random(500, 1));
-  EXPECT_EQ(factor.folding, Folding::Gram);
-  EXPECT_EQ(factor.column_norms[1], 0.0);
-  EXPECT_TRUE(factor.triangle.col(1).isZero(0.0));
 }
 
 // Powers of a variable, condition about 1e3; exact targets beside one with noise and one of
@@ -202,17 +195,6 @@ TEST_P(FactoriseExtremes, ScaleDropsOutOfTheTriangle) {
   EXPECT_NEAR(scaled.target_norms[0] * 1e200, plain.target_norms[0], 1e-11);
 }
 
-TEST_P(FactoriseExtremes, NamesAnEntryThatIsNotFinite) {
-  Matrix theta = Matrix::Random(500, 3);
-  theta(41, 2) = std::numeric_limits<double>::quiet_NaN();
-  try {
-    factor_of(theta, Matrix::Random(500, 1), GetParam());
-    FAIL() << "not refused";
-  } catch (const DataError& error) {
-    EXPECT_EQ(error.where(), "column 2, row 42");
-  }
-}
-
 TEST_P(FactoriseExtremes, TakesNoRows) {
   const Factor factor = factor_of(Matrix(0, 3), Matrix(0, 1), GetParam());
   EXPECT_EQ(factor.rows, 0);
@@ -222,6 +204,178 @@ TEST_P(FactoriseExtremes, TakesNoRows) {
 INSTANTIATE_TEST_SUITE_P(Foldings, FactoriseExtremes,
                          ::testing::Values(Folding::Automatic, Folding::Gram,
                                            Folding::Orthogonal, Folding::Deflated));
+
+TEST(RowSource, ReadsTheRowsThatAreAskedFor) {
+  const Matrix theta = Matrix::Random(50, 3);
+  const Matrix targets = Matrix::Random(50, 2);
+  const auto rows = make_row_source(theta, targets);
+  EXPECT_EQ(rows->rows(), 50);
+  EXPECT_EQ(rows->terms(), 3);
+  EXPECT_EQ(rows->targets(), 2);
+  Matrix read_theta(7, 3);
+  Matrix read_targets(7, 2);
+  rows->open()->read(20, read_theta, read_targets);
+  EXPECT_EQ(read_theta, theta.middleRows(20, 7));
+  EXPECT_EQ(read_targets, targets.middleRows(20, 7));
+}
+
+TEST(RowSource, RejectsDifferentNumbersOfRows) {
+  EXPECT_THROW(make_row_source(Matrix(3, 1), Matrix(4, 1)), ArgumentError);
+}
+
+TEST(KeptInMemory, HoldsTheSameRows) {
+  const auto source = make_row_source(Matrix::Random(50, 3), Matrix::Random(50, 2));
+  const auto kept = kept_in_memory(source, 50 * 5 * 8);
+  ASSERT_NE(kept, source);
+  Matrix theta(50, 3), targets(50, 2), kept_theta(50, 3), kept_targets(50, 2);
+  source->open()->read(0, theta, targets);
+  kept->open()->read(0, kept_theta, kept_targets);
+  EXPECT_EQ(theta, kept_theta);
+  EXPECT_EQ(targets, kept_targets);
+}
+
+TEST(KeptInMemory, LeavesRowsThatTakeTooMuchToTheirSource) {
+  const auto source = make_row_source(Matrix::Random(50, 3), Matrix::Random(50, 2));
+  EXPECT_EQ(kept_in_memory(source, 50 * 5 * 8 - 1), source);
+}
+
+TEST(WeightedRows, RefuseWeightsThatAreNegativeOrNotFinite) {
+  const auto rows = make_row_source(Matrix::Ones(20, 1), Matrix::Ones(20, 1));
+  for (const double bad : {-1.0, std::numeric_limits<double>::infinity(),
+                           std::numeric_limits<double>::quiet_NaN()}) {
+    const auto weights = [bad](const Eigen::Ref<const Vector>&, Eigen::Ref<Vector> w) {
+      w.setOnes();
+      w[3] = bad;
+    };
+    const auto weighted = make_weighted_rows(*rows, {0, {0}, Vector::Ones(1)}, weights);
+    Matrix theta(8, 1);
+    Matrix target(8, 1);
+    EXPECT_THROW(weighted->open()->read(8, theta, target), ArgumentError);
+  }
+}
+
+// Passes over rows that a team divides give to the bit what one process gets.
+constexpr Index kRows = 5 * 32768 + 100;
+
+struct TeamRows {
+  Matrix theta = Matrix::Random(kRows, 4);
+  Matrix targets = Matrix::Random(kRows, 2);
+
+  std::shared_ptr<const RowSource> source() const { return make_row_source(theta, targets); }
+  LeastSquaresSystem system(const RunContext& context, Folding folding) const {
+    return {source(), {"a", "b", "c", "d"}, {"p", "q"}, context, folding};
+  }
+};
+
+TEST(TeamOfProcesses, FactorsRefinementsAndResidualsAreThoseOfOne) {
+  const TeamRows rows;
+  for (const Folding folding :
+       {Folding::Gram, Folding::Orthogonal, Folding::Deflated, Folding::Automatic}) {
+    const LeastSquaresSystem alone = rows.system({}, folding);
+    const Subproblem problem = alone.subproblem(1, {0, 2, 3});
+    const Vector h = problem.solve();
+    testing::ThreadTeam(3).run(2, [&](const RunContext& context) {
+      const LeastSquaresSystem system = rows.system(context, folding);
+      EXPECT_EQ(system.factor().triangle, alone.factor().triangle);
+      EXPECT_EQ(system.factor().target_norms, alone.factor().target_norms);
+      EXPECT_EQ(system.refined(problem, h, context), alone.refined(problem, h));
+      EXPECT_EQ(system.residuals(1, {0, 2, 3}, h, context), alone.residuals(1, {0, 2, 3}, h));
+      const auto cauchy = [](const Eigen::Ref<const Vector>& r, Eigen::Ref<Vector> w) {
+        w = (1.0 + r.array().square()).inverse();
+      };
+      EXPECT_EQ(system.reweighted(problem, h, cauchy, context).solve(),
+                alone.reweighted(problem, h, cauchy).solve());
+    });
+  }
+}
+
+TEST(TeamOfProcesses, RangesOfColumnsAndWhatIsNotFiniteAreFoundByAll) {
+  TeamRows rows;
+  rows.theta.col(2) *= 1e150;
+  const auto name = [](Index column) { return "column " + std::to_string(column); };
+  const std::vector<int> expected = scan_columns(*rows.source(), name);
+  testing::ThreadTeam(3).run(1, [&](const RunContext& context) {
+    EXPECT_EQ(scan_columns(*rows.source(), name, context), expected);
+  });
+  rows.theta(100000, 3) = std::numeric_limits<double>::quiet_NaN();
+  testing::ThreadTeam(3).run(1, [&](const RunContext& context) {
+    try {
+      scan_columns(*rows.source(), name, context);
+      ADD_FAILURE() << "nothing was thrown";
+    } catch (const DataError& error) {
+      EXPECT_EQ(error.where(), "column 3, row 100001");
+    }
+  });
+}
+
+// Accuracy of coefficients on noise-free Rossler data with exact derivatives, where libraries
+// of high degree are ill conditioned.
+double true_coefficient(Index equation, const std::string& name) {
+  static const std::vector<std::vector<std::pair<std::string, double>>> kEquations{
+      {{"010", -1.0}, {"001", -1.0}},
+      {{"100", 1.0}, {"010", 0.2}},
+      {{"000", 0.2}, {"001", -5.7}, {"101", 1.0}}};
+  for (const auto& [term, value] : kEquations[static_cast<std::size_t>(equation)]) {
+    if (term == name) return value;
+  }
+  return 0.0;
+}
+
+// Largest error of a coefficient of the whole library, relative to the largest coefficient,
+// after one refinement; states are multiplied by `scale`.
+double coefficient_error(Index n, int degree, double scale = 1.0) {
+  const RosslerData data = make_rossler_data(n, 0.1);
+  const Monomials terms = make_monomials(scale * data.states, degree);
+  const LeastSquaresSystem system(make_row_source(terms.values, data.derivatives), terms.names,
+                                  {"x", "y", "z"});
+  double error = 0.0;
+  for (Index k = 0; k < 3; ++k) {
+    const Subproblem problem = system.subproblem(k, system.all_terms());
+    const Vector h = system.refined(problem, problem.solve());
+    for (Index j = 0; j < h.size(); ++j) {
+      const std::string& name = terms.names[static_cast<std::size_t>(j)];
+      const int power = (name[0] - '0') + (name[1] - '0') + (name[2] - '0');
+      error =
+          std::max(error, std::abs(h[j] * std::pow(scale, power) - true_coefficient(k, name)));
+    }
+  }
+  return error / 5.7;
+}
+
+TEST(RosslerAccuracy, Degree3) { EXPECT_LT(coefficient_error(10'000, 3), 1e-13); }
+
+TEST(RosslerAccuracy, Degree5) { EXPECT_LT(coefficient_error(10'000, 5), 1e-11); }
+
+TEST(RosslerAccuracy, Degree5OfManyRows) { EXPECT_LT(coefficient_error(100'000, 5), 1e-11); }
+
+TEST(RosslerAccuracy, Degree5OfScaledStates) {
+  EXPECT_LT(coefficient_error(10'000, 5, 1e-3), 1e-11);
+  EXPECT_LT(coefficient_error(10'000, 5, 1e4), 1e-11);
+}
+
+TEST(RosslerAccuracy, RefinementMakesUpForAGram) {
+  const RosslerData data = make_rossler_data(10'000, 0.1);
+  const Monomials terms = make_monomials(data.states, 5);
+  const LeastSquaresSystem system(make_row_source(terms.values, data.derivatives), terms.names,
+                                  {"x", "y", "z"}, {}, Folding::Gram);
+  const Subproblem problem = system.subproblem(2, system.all_terms());
+  const Vector h = system.refined(problem, problem.solve());
+  ASSERT_GT(h.size(), 0);
+  for (Index j = 0; j < h.size(); ++j) {
+    EXPECT_NEAR(h[j], true_coefficient(2, terms.names[static_cast<std::size_t>(j)]), 5e-9);
+  }
+}
+
+TEST(RosslerAccuracy, EliminationOfADegree7LibraryEqualsRefitting) {
+  const RosslerData data = make_rossler_data(5'000, 0.1);
+  const Monomials terms = make_monomials(data.states, 7);
+  const LeastSquaresSystem system(make_row_source(terms.values, data.derivatives), terms.names,
+                                  {"x", "y", "z"});
+  Subproblem problem = system.subproblem(2, system.all_terms());
+  while (problem.size() > 10) problem.remove(problem.size() - 1 - problem.size() % 3);
+  const Vector refit = system.subproblem(2, problem.active()).solve();
+  EXPECT_LT((problem.solve() - refit).norm(), 1e-11 * refit.norm());
+}
 
 }  // namespace
 }  // namespace lacuna

@@ -45,17 +45,6 @@ TEST(BenchReport, CsvHasALineForEachCell) {
             "stlsq,svd,1,1,1,,,,,,\"no term, \"\"none\"\"\"\n");
 }
 
-TEST(BenchReport, PageHasHeatMapNumbersAndFailures) {
-  const Page page = bench_page(result_of_two(), "lorenz");
-  EXPECT_EQ(page.title, "Parts compared on lorenz");
-  ASSERT_EQ(page.sections.size(), 3u);
-  ASSERT_EQ(page.sections[0].pictures.size(), 1u);
-  EXPECT_THAT(page.sections[0].pictures[0].svg.string(), HasSubstr("class=\"heat\""));
-  const std::string html = format_html(page);
-  EXPECT_THAT(html, HasSubstr("stlsq + svd"));
-  EXPECT_THAT(html, HasSubstr("0.125"));
-}
-
 TEST(BenchReport, WithoutATruthTheErrorOfSynchronisationCounts) {
   BenchResult result = result_of_two();
   result.truth_known = false;

@@ -30,11 +30,5 @@ TEST(DiagnosisTrail, EachCompositeHasItsNumberOrItsRule) {
             "(+ taken over what was best before, - not taken)\n");
 }
 
-TEST(DiagnosisTrail, WithoutCompositesItSaysWhatItWouldShow) {
-  EXPECT_EQ(format_trail(with_rivals({})),
-            "Composite models of the records, in the order in which they were judged:\n"
-            "(+ taken over what was best before, - not taken)\n");
-}
-
 }  // namespace
 }  // namespace lacuna

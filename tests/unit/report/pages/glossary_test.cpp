@@ -33,9 +33,5 @@ TEST(Glossary, LooksAtFactsAndSections) {
   EXPECT_THAT(glossary->content.string(), HasSubstr("<dt>95 %</dt>"));
 }
 
-TEST(Glossary, IsLeftOutWhereNoWordNeedsIt) {
-  EXPECT_FALSE(glossary_of({"kind", "It holds.", Tone::Good, {}, {}, {}, {}, {}}).has_value());
-}
-
 }  // namespace
 }  // namespace lacuna

@@ -79,14 +79,6 @@ TEST(Page, BeginsWithVerdictEquationsAndOnePicture) {
   EXPECT_EQ(pictures_of(page).size(), 3u);
 }
 
-TEST(Page, ASectionOfOnlyThePictureThatIsFirstIsGone) {
-  Page page{"kind", "It holds.", Tone::Good, {}, {}, {}, {}};
-  page.sections.push_back({"Details", {}, {draw(LineFigure{"one", "", "", "", {}})}});
-  show_first(page, "one");
-  EXPECT_TRUE(page.sections.empty());
-  EXPECT_EQ(pictures_of(page).size(), 1u);
-}
-
 TEST(Page, PicturesHaveNamesOfTheirOwn) {
   const std::vector<Picture> pictures = pictures_of(hostile_page());
   ASSERT_EQ(pictures.size(), 3u);

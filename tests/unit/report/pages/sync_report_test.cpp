@@ -11,19 +11,6 @@ namespace {
 using ::testing::HasSubstr;
 using testing::sample_sync;
 
-TEST(SyncReport, JsonHasNumbersAndCoupling) {
-  const auto json = nlohmann::json::parse(format_json(sample_sync()));
-  EXPECT_EQ(json["format"], "lacuna.sync/1");
-  EXPECT_EQ(json["median"], 0.001);
-  EXPECT_EQ(json["mean"], 0.002);
-  EXPECT_EQ(json["relative"], 0.0005);
-  EXPECT_EQ(json["settled"], true);
-  EXPECT_EQ(json["status"], "completed");
-  EXPECT_EQ(json["coupling"][0][0], 0.5);
-  EXPECT_EQ(json["coupling_source"], "time scale of the record");
-  EXPECT_FALSE(json.contains("message"));
-}
-
 TEST(SyncReport, TextStatesErrorsAndCoupling) {
   const std::string text = format_text(sample_sync());
   EXPECT_THAT(text, HasSubstr("median 0.001, mean 0.002, relative 0.05 %"));

@@ -40,11 +40,5 @@ TEST(HeatFigure, KeepsItsNumbers) {
   EXPECT_EQ(rows.rows[1].value, 0.5);
 }
 
-TEST(HeatFigure, RefusesTablesWithHoles) {
-  HeatFigure figure = two_by_two();
-  figure.texts[1].pop_back();
-  EXPECT_THROW(draw(figure), ArgumentError);
-}
-
 }  // namespace
 }  // namespace lacuna

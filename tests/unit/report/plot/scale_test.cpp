@@ -27,20 +27,6 @@ TEST(Scale, HoldsAllFiniteValues) {
   EXPECT_DOUBLE_EQ(scale.part(1.0), 0.5);
 }
 
-TEST(Scale, HasAWidthWhateverTheValues) {
-  const Vector same = Vector::Constant(3, 5.0), none, zero = Vector::Zero(2);
-  EXPECT_GT(scale_of({&same}).high, scale_of({&same}).low);
-  EXPECT_GT(scale_of({&none}).high, scale_of({&none}).low);
-  EXPECT_GT(scale_of({&zero}).high, scale_of({&zero}).low);
-}
-
-TEST(Scale, LogarithmsLeaveOutWhatIsNotPositive) {
-  const Vector values = Eigen::Vector4d(-1.0, 0.0, 1.0, 100.0);
-  const Scale scale = scale_of({&values}, true);
-  EXPECT_NEAR(scale.part(10.0), 0.5, 1e-12);
-  EXPECT_TRUE(std::isnan(scale.part(0.0)));
-}
-
 TEST(Ticks, AreRoundAndInside) {
   EXPECT_THAT(labels({-0.3, 1.1, false}, 6), ElementsAre("0", "0.5", "1"));
   EXPECT_THAT(labels({0.0, 1040.0, false}, 5), ElementsAre("0", "500", "1000"));

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
-#include "trajectories/design/input_signals.hpp"
-
+// What an experiment is planned from: signals and the precision they give.
 #include <gtest/gtest.h>
 
-#include <algorithm>
+#include <Eigen/LU>
+#include <cmath>
 #include <set>
 
 #include "core/base/random.hpp"
+#include "trajectories/design/input_signals.hpp"
+#include "trajectories/design/precision.hpp"
 
 namespace lacuna {
 namespace {
@@ -15,25 +17,6 @@ Vector grid(Index count) { return Vector::LinSpaced(count, 0.0, 0.1 * double(cou
 
 PlanInput input() {
   return {"u", -2.0, 6.0, {}, {}, {}, 4};
-}
-
-TEST(InputSignal, StepsAreLevelsOfEqualLength) {
-  Vector design(4);
-  design << 0.0, 1.0, 0.25, 0.5;
-  const Vector u = input_signal(input(), InputFamily::Steps, design, grid(81), 0.1);
-  for (const auto& [t, level] : {std::pair{0, -2.0}, {19, -2.0}, {20, 6.0}, {39, 6.0},
-                                 {40, 0.0}, {60, 2.0}, {80, 2.0}})
-    EXPECT_NEAR(u[t], level, 1e-12) << t;
-}
-
-TEST(InputSignal, RampsPassTheirKnots) {
-  Vector design(5);
-  design << 0.0, 1.0, 1.0, 0.0, 0.5;
-  const Vector u = input_signal(input(), InputFamily::Ramps, design, grid(82), 0.1);
-  EXPECT_NEAR(u[0], -2.0, 1e-12);
-  EXPECT_NEAR(u[10], 2.0, 1e-12) << "half of the way up";
-  EXPECT_NEAR(u[20], 6.0, 1e-12);
-  EXPECT_NEAR(u[80], 2.0, 1e-12);
 }
 
 TEST(InputSignal, PrbsHasTwoLevelsAndBitsOfOneLength) {
@@ -60,15 +43,6 @@ TEST(InputSignal, AChirpGoesFromOneFrequencyToTheOther) {
     EXPECT_NEAR(u[i], 2.0 + 4.0 * std::sin(2.0 * M_PI * double(i) / 80.0), 1e-9);
 }
 
-TEST(InputSignal, AMultisineIsScaledToItsAmplitude) {
-  Vector design = Vector::Constant(10, 0.3);
-  design[0] = 0.5;
-  design[1] = 0.5;
-  const Vector u = input_signal(input(), InputFamily::Multisine, design, grid(400), 0.1);
-  EXPECT_NEAR((u.array() - 2.0).abs().maxCoeff(), 2.0, 1e-9);
-  EXPECT_NEAR(u.head(399).mean(), 2.0, 1e-9) << "whole periods";
-}
-
 TEST(InputSignal, AllFamiliesKeepRangeRateAndHold) {
   PlanInput limited = input();
   limited.rate = 3.0;
@@ -86,13 +60,6 @@ TEST(InputSignal, AllFamiliesKeepRangeRateAndHold) {
         ASSERT_LE(std::abs(u[i] - u[i - 1]), i % 5 == 0 ? 1.5 + 1e-12 : 0.0)
             << to_string(family) << " " << i;
     }
-}
-
-TEST(InputFamilies, HaveNames) {
-  ASSERT_EQ(all_input_families().size(), 6u);
-  for (const InputFamily family : all_input_families())
-    EXPECT_EQ(input_family_named(to_string(family)), family);
-  EXPECT_FALSE(input_family_named("square"));
 }
 
 TEST(ExperimentOf, SamplesAreTakenAtTheDesignedTimes) {
@@ -115,6 +82,78 @@ TEST(ExperimentOf, SamplesAreTakenAtTheDesignedTimes) {
   ASSERT_EQ(experiment.starts.size(), 1u);
   EXPECT_EQ(experiment.starts[0].low, 2.0);
   EXPECT_EQ(experiment.starts[0].high, 2.0);
+}
+
+const Matrix kNothing = Matrix::Zero(2, 2);
+
+/// [[4, 1], [1, 3]]: determinant 11, inverse [[3, -1], [-1, 4]] / 11, eigenvalues (7 -+ sqrt
+/// 5)/2.
+Matrix information() {
+  Matrix m(2, 2);
+  m << 4.0, 1.0, 1.0, 3.0;
+  return m;
+}
+
+TEST(PrecisionOf, IsTheFormulaOfEachCriterion) {
+  const Vector one = Vector::Ones(2);
+  const double low = 0.5 * (7.0 - std::sqrt(5.0)), high = 0.5 * (7.0 + std::sqrt(5.0));
+  const auto of = [&](PrecisionCriterion criterion) {
+    return precision_of({information(), kNothing}, one, criterion, {1});
+  };
+  EXPECT_NEAR(of(PrecisionCriterion::D), std::log(11.0), 1e-12);
+  EXPECT_NEAR(of(PrecisionCriterion::A), -std::log(7.0 / 11.0), 1e-12);
+  EXPECT_NEAR(of(PrecisionCriterion::E), std::log(low), 1e-12);
+  EXPECT_NEAR(of(PrecisionCriterion::ModifiedE), std::log(low / high), 1e-12);
+  EXPECT_NEAR(of(PrecisionCriterion::Chosen), -std::log(4.0 / 11.0), 1e-12);
+}
+
+TEST(PrecisionOf, UnitsDoNotMatter) {
+  // The second number in thousandths: its information is a millionth, its size thousandfold.
+  Vector size(2), unit(2);
+  size << 2.0, 5.0;
+  unit << 1.0, 1e-3;
+  const Vector other = size.cwiseQuotient(unit);
+  const Matrix same = unit.asDiagonal() * information() * unit.asDiagonal();
+  for (const auto criterion : {PrecisionCriterion::D, PrecisionCriterion::A,
+                               PrecisionCriterion::E, PrecisionCriterion::ModifiedE})
+    EXPECT_NEAR(precision_of({kNothing, same}, other, criterion),
+                precision_of({information(), kNothing}, size, criterion), 1e-9);
+}
+
+TEST(StandardErrors, AreRootsOfTheInverse) {
+  const Vector errors = standard_errors(information(), Vector::Constant(2, 3.0));
+  EXPECT_NEAR(errors[0], std::sqrt(3.0 / 11.0), 1e-12);
+  EXPECT_NEAR(errors[1], std::sqrt(4.0 / 11.0), 1e-12);
+}
+
+TEST(StandardErrors, OfAnOpenDirectionThereAreNone) {
+  // a + b is known, c is known, a - b is not.
+  Matrix m = Matrix::Zero(3, 3);
+  m.topLeftCorner(2, 2).setOnes();
+  m(2, 2) = 4.0;
+  const Vector errors = standard_errors(m, Vector::Ones(3));
+  EXPECT_TRUE(std::isnan(errors[0]));
+  EXPECT_TRUE(std::isnan(errors[1]));
+  EXPECT_NEAR(errors[2], 0.5, 1e-12);
+  EXPECT_TRUE(std::isnan(standard_errors(Matrix::Zero(1, 1), Vector::Ones(1))[0]));
+}
+
+TEST(StandardErrors, WhatIsKnownStaysBesideAChaoticPath) {
+  // A direction of which a path adds 1e24, far beyond rounding of what is known: across it the
+  // errors are those of before, and no error is less than a millionth.
+  Matrix known = Matrix::Zero(3, 3);
+  known.diagonal() << 4.0, 100.0, 25.0;
+  const Vector steep = Vector{{1.0, 2.0, -1.0}}.normalized();
+  const Matrix added = 1e24 * steep * steep.transpose();
+  const Vector errors = errors_after({known, added}, Vector::Ones(3));
+  Matrix across(3, 2);
+  across.col(0) = Vector{{2.0, -1.0, 0.0}}.normalized();
+  across.col(1) = Vector{{1.0, 2.0, 5.0}}.normalized();
+  const Matrix inverse =
+      across * (across.transpose() * known * across).inverse() * across.transpose();
+  for (Index p = 0; p < 3; ++p) EXPECT_NEAR(errors[p], std::sqrt(inverse(p, p)), 1e-5);
+  const Matrix nothing = Matrix::Zero(1, 1), much = Matrix::Constant(1, 1, 1e24);
+  EXPECT_NEAR(errors_after({nothing, much}, Vector::Constant(1, 3.0))[0], 3e-6, 1e-9);
 }
 
 }  // namespace

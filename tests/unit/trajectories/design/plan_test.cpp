@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <cmath>
 
 #include "core/base/random.hpp"
@@ -278,6 +279,27 @@ TEST(PlanExperiment, ASecondRunAddsInformation) {
   ASSERT_EQ(two.runs.size(), 2u);
   ASSERT_TRUE(one.parameters.at(0).after && two.parameters.at(0).after);
   EXPECT_LT(*two.parameters[0].after, 0.8 * *one.parameters[0].after);
+}
+
+TEST(PlanExperiment, PastTheDeadlineTheRunsSoFarAreThePlan) {
+  PlanOptions options;
+  options.candidates = options.evaluations = 2;
+  options.searches = 1;
+  const Plan one = plan_experiment(cart(), options);
+  options.runs = 3;
+  RunContext context;
+  int searches = 0;
+  context.progress = [&](const Progress& progress) {
+    if (progress.activity == "improving designs" && ++searches == 1)
+      context.deadline = std::chrono::steady_clock::now();  // the search has a copy of its own
+  };
+  const Plan cut = plan_experiment(cart(), options, context);
+  ASSERT_EQ(cut.runs.size(), 1u);
+  EXPECT_EQ(cut.runs[0].experiment.inputs, one.runs[0].experiment.inputs);
+  EXPECT_EQ(cut.pairs.size(), one.pairs.size());
+  EXPECT_EQ(left_out_line(one.stages), "");
+  EXPECT_THAT(left_out_line(cut.stages), HasSubstr("designs of run 2, designs of run 3"));
+  EXPECT_THROW(plan_experiment(cart(), options, context), OutOfTime);
 }
 
 TEST(PlanExperiment, BadProblemsAreErrors) {

@@ -175,6 +175,8 @@ TEST(Fit, ABoundIsSaidAndHasNoInterval) {
   EXPECT_EQ(number(found, "k").bound, "max");
   EXPECT_EQ(number(found, "k").value, 0.4);
   EXPECT_FALSE(number(found, "k").ci95);
+  ASSERT_TRUE(number(found, "k").at_least);
+  EXPECT_GT(*number(found, "k").at_least, 0.3);
   EXPECT_TRUE(number(found, "x: u").ci95);
   EXPECT_FALSE(found.notes.empty());
 }
@@ -345,6 +347,28 @@ TEST(Fit, TwelveRowsOfTheRightModelAreSaidToBeFew) {
   EXPECT_TRUE(standing_of(found).open.empty());
   EXPECT_THAT(sentence_of(standing_of(found)), HasSubstr("too few to show"));
   EXPECT_THAT(found.notes[0], HasSubstr("13 samples of y are too few"));
+}
+
+/// A second way out that is not there: its rate is 0, and the first one no better known for that.
+TEST(Fit, ARateOfNothingHasAnUpperLimitOnly) {
+  const Dataset data = support::grey_box(
+      parse_ode("dx/dt = -0.5*x\ny = x\n", "d.ode"),
+      {.start = Vector::Constant(1, 2.0), .step = 0.2, .samples = 40, .noise = 0.03});
+  const std::string one = "param k = 0.5 in 0.01..20\n", ways = "dx/dt = -k*x - l*x^2\ny = x\n";
+  const Fit found =
+      fit(parse_ode_system(one + "param l = 0.01 in 0..20\n" + ways, "m.ode"), data, {});
+  const FittedParameter& l = number(found, "l");
+  EXPECT_FALSE(l.ci95 || l.at_least);
+  ASSERT_TRUE(l.at_most);
+  EXPECT_LT(*l.at_most, 0.2);
+  std::string said;
+  for (const FitCombination& combination : found.combinations) said += combination.message;
+  EXPECT_THAT(said, HasSubstr("l at most")) << "with no lower limit";
+  const FittedParameter alone =
+      number(fit(parse_ode_system(one + "dx/dt = -k*x\ny = x\n", "m.ode"), data, {}), "k");
+  const FittedParameter beside = number(found, "k");
+  ASSERT_TRUE(alone.ci95 && beside.ci95);
+  EXPECT_LT((*beside.ci95)[0], (*alone.ci95)[0] - 0.2 * (alone.value - (*alone.ci95)[0]));
 }
 
 TEST(Fit, ANumberOfWhichTheRecordsSayNothingHasNoInterval) {

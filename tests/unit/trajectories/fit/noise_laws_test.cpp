@@ -214,19 +214,6 @@ TEST(NoiseLaws, TruncatedSizeIsEstimatedAndValuesBeyondTheLimitAreLeftOut) {
   EXPECT_NE(said, found.notes.end());
 }
 
-TEST(NoiseLaws, ProportionalNoiseWeighsSmallValuesAsLargeOnes) {
-  const Dataset data = decay([](double y, double e) { return y * (1.0 + 0.1 * e); });
-  const auto error = [&](const std::string& law) {
-    const Fit found = fit(
-        parse_ode_system("param k = 1\ndx/dt = -k*x\nx = x" + law + "\n", "m.ode"), data, {});
-    EXPECT_NEAR(found.numbers.at(0).value, 0.5,
-                4.0 * found.numbers[0].standard_error.value_or(0.0))
-        << law;
-    return found.numbers[0].standard_error.value_or(1.0);
-  };
-  EXPECT_LT(error(" noise proportional"), 0.6 * error(""));
-}
-
 TEST(NoiseLaws, StudentNoiseIsNotMovedByAFewWildValues) {
   Dataset data = decay([](double y, double e) { return y + 0.05 * e; });
   for (const Index wild : {5, 20, 41}) data.trajectories[0].states(wild, 0) += 8.0;

@@ -110,13 +110,6 @@ TEST(ProfileOf, ALikelihoodThatStaysHighHasNoEnd) {
   EXPECT_GT(*found.low, 5.0);
 }
 
-TEST(ProfileOf, ARangeThatEndsBeforeTheLikelihoodLeavesItOpen) {
-  AtMinimum at("param k = 2 in 1.99..2.01\ndx/dt = -k*x\ny = x\n", decay_data(2.0, 0.2, 20));
-  const NumberProfile found = at.profile(0, 0.1);
-  EXPECT_TRUE(found.is_open_below);
-  EXPECT_TRUE(found.is_open_above);
-}
-
 TEST(ProfileOf, ALowerMinimumEndsIt) {
   AtMinimum at("param k = 1.5 in 0.01..50\ndx/dt = -k*x\ny = x\n", decay_data(2.0, 0.2, 20));
   at.minimum.point.parameters(0, 0) *= 1.3;
@@ -189,11 +182,6 @@ TEST(ProfileOf, FollowsTheOthersFromItsFirstStepOn) {
         << number.name;
     EXPECT_LT(std::abs(number.value - number.start), 4.0 * *error) << number.name;
   }
-}
-
-TEST(ProfileWork, IsThatOfTheRowsAndNumbers) {
-  AtMinimum at("param k = 1.5 in 0.01..50\ndx/dt = -k*x\ny = x\n", decay_data(2.0, 0.2, 20));
-  EXPECT_EQ(profile_work(at.engine, at.unknowns), 2.0 * 20.0 * 1.0);
 }
 
 }  // namespace

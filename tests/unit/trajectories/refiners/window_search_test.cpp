@@ -9,11 +9,9 @@
 #include <cmath>
 
 #include "lacuna/bases/monomials.hpp"
-#include "lacuna/dynamics/test_systems/measurement.hpp"
 #include "support/noisy_records.hpp"
 #include "trajectories/shooting/shooting_fit.hpp"
-#include "trajectories/refiners/window_resolution.hpp"
-#include "trajectories/subset_selection/subset_search.hpp"
+#include "trajectories/subset_selection/subset_problem.hpp"
 
 namespace lacuna {
 namespace {
@@ -101,41 +99,6 @@ TEST(WindowSearch, EndsAtTheLeastSquaresOfTheSimulatedModel) {
                 1e-3 * fit.rms[k]);
 }
 
-TEST(WindowSearch, ChoosesTheBestSubsetOfItsTriangle) {
-  const OdeModel& model = test_system("van-der-pol").model;
-  SearchCase c(model, noisy_record("van-der-pol", 300, 0.05, 2));
-  ASSERT_TRUE(c.search.fit.rows > 0);
-  const WindowFit& fit = c.search.fit;
-  EXPECT_NEAR(fit.penalty,
-              std::log(static_cast<double>(fit.rows)) +
-                  std::log(static_cast<double>(fit.columns.size())),
-              1e-12);
-  const SubsetProblem again = subset_problem(fit.triangle / std::sqrt(fit.scale));
-  EXPECT_EQ(best_subset(again, fit.penalty, {}, Exchange::Pairs).columns, fit.subset);
-}
-
-TEST(WindowSearch, LongerWindowsThatFitWorseAreGivenUp) {
-  // The term w^3 is not in the library: longer windows show that it is missing.
-  const TestSystem& system = test_system("pendulum");
-  const OdeModel truth =
-      system.model.with_term(1, {Term::parse("w^3", system.model.variables()), -0.02});
-  const Dataset clean =
-      record_of(truth, Dopri8{Dopri8Options{.substeps = 4}}, system.start, system.step, 800);
-  SearchCase c(truth, add_relative_noise(clean, 0.002, 1), {}, 1);
-  ASSERT_TRUE(c.search.fit.rows > 0);
-  WindowFit before = c.search.fit;
-  while (c.grow()) {
-    const Index times = c.search.fit.samples / before.samples;
-    EXPECT_EQ(c.search.fit.samples, times * before.samples);
-    EXPECT_TRUE(times == 2 || (times == 4 && c.search.fit.kept_terms)) << times;
-    before = c.search.fit;
-  }
-  EXPECT_EQ(c.search.fit.coefficients, before.coefficients);
-  EXPECT_EQ(c.search.fit.samples, before.samples);
-  EXPECT_TRUE(c.search.limited);
-  EXPECT_FALSE(c.grow());
-}
-
 TEST(WindowSearch, WindowsOfChaosEndWhereRoundingKeepsPathsFromRest) {
   SearchCase c(test_system("lorenz").model, noisy_record("lorenz", 5000, 0.01, 4), {}, 2);
   ASSERT_TRUE(c.search.fit.rows > 0);
@@ -151,67 +114,6 @@ TEST(WindowSearch, WindowsOfChaosEndWhereRoundingKeepsPathsFromRest) {
   const double exponent = (fit.rounding.log_mean - c.search.shorter.log_mean) / time;
   EXPECT_NEAR(exponent, 0.906, 0.2);
   EXPECT_EQ(structure_of(c.found()), structure_of(test_system("lorenz").model));
-}
-
-TEST(WindowSearch, WindowsOfAnOscillatorAreAsLongAsTheRecord) {
-  SearchCase c(test_system("van-der-pol").model, noisy_record("van-der-pol", 800, 0.01, 5));
-  while (c.grow()) {
-  }
-  EXPECT_FALSE(c.search.limited);
-  EXPECT_GT(2 * c.search.fit.samples, 800);
-  EXPECT_LT(c.search.fit.rounding.worst, 1e-10) << "orbits come together";
-}
-
-TEST(WindowSearch, LeapsWhereTermsStayAndComesToTheSame) {
-  const OdeModel& model = test_system("van-der-pol").model;
-  SearchCase leaps(model, noisy_record("van-der-pol", 800, 0.02, 3));
-  SearchCase steps(model, noisy_record("van-der-pol", 800, 0.02, 3));
-  const Index shortest = leaps.search.fit.samples;
-  steps.search.leaps = false;
-  leaps.search.fit.kept_terms = true;
-  ASSERT_TRUE(leaps.grow());
-  ASSERT_TRUE(steps.grow());
-  EXPECT_EQ(leaps.search.fit.samples, 4 * shortest);
-  EXPECT_EQ(steps.search.fit.samples, 2 * shortest);
-  ASSERT_TRUE(steps.grow());
-  EXPECT_EQ(leaps.search.fit.subset, steps.search.fit.subset);
-  EXPECT_LT((leaps.search.fit.coefficients - steps.search.fit.coefficients).cwiseAbs().maxCoeff(),
-            1e-4);
-}
-
-TEST(WindowSearch, StepsAreTestedWhereTheLastTestWasNotPassedByFar) {
-  SearchCase c(test_system("van-der-pol").model, noisy_record("van-der-pol", 300, 0.02, 1));
-  ASSERT_EQ(c.search.steps.samples, c.search.fit.samples) << "the shortest windows are tested";
-  EXPECT_FALSE(asks_for_a_step_test(c.search)) << "in windows as long as they were";
-  c.search.fit.samples *= 2;
-  c.search.steps.moved = 0.02;
-  EXPECT_TRUE(asks_for_a_step_test(c.search));
-  c.search.steps.moved = 0.005;
-  EXPECT_FALSE(asks_for_a_step_test(c.search));
-  c.search.steps = {};
-  EXPECT_TRUE(asks_for_a_step_test(c.search)) << "none was made";
-}
-
-TEST(WindowSearch, StepsAreTestedOnceInTheLongestWindows) {
-  SearchCase c(test_system("van-der-pol").model, noisy_record("van-der-pol", 300, 0.02, 1));
-  c.search.steps = {0.001, c.search.fit.samples / 2};  // passed by far, in shorter windows
-  check_steps(c.task, c.search, kNoLimits);
-  EXPECT_EQ(c.search.steps.samples, c.search.fit.samples);
-  EXPECT_NE(c.search.steps.moved, 0.001);
-  c.search.steps.moved = 0.001;
-  check_steps(c.task, c.search, kNoLimits);
-  EXPECT_EQ(c.search.steps.moved, 0.001);
-}
-
-TEST(WindowSearch, WindowsEndWithTheRecord) {
-  const OdeModel& model = test_system("van-der-pol").model;
-  SearchCase c(model, noisy_record("van-der-pol", 100, 0.02, 1));
-  ASSERT_TRUE(c.search.fit.rows > 0);
-  while (c.grow()) {
-  }
-  EXPECT_LE(c.search.fit.samples, 100);
-  SearchCase tiny(model, noisy_record("van-der-pol", 3, 0.02, 1));
-  EXPECT_FALSE(tiny.search.fit.rows > 0);
 }
 
 /// Whether a subset holds another one.
@@ -234,16 +136,6 @@ TEST(WindowSearch, SimplifyingTakesTermsAwayAsFarAsTheSlackGoes) {
   EXPECT_TRUE(holds(all, some.fit.subset));
   EXPECT_LT(fit_subset(problem, some.fit.subset).residual,
             1.05 * 4.0 * fit_subset(problem, all).residual);
-}
-
-TEST(WindowSearch, APenaltyThatWasGivenStandsWithAllItsTerms) {
-  const OdeModel& model = test_system("van-der-pol").model;
-  SearchCase c(model, noisy_record("van-der-pol", 400, 0.02, 1), 25.0);
-  ASSERT_TRUE(c.search.fit.rows > 0);
-  EXPECT_EQ(c.search.fit.penalty, 25.0);
-  const std::vector<Index> all = c.search.fit.subset;
-  simplify(c.task, c.search, 1e9, kNoLimits);
-  EXPECT_EQ(c.search.fit.subset, all);
 }
 
 }  // namespace

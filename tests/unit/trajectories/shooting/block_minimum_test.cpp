@@ -126,14 +126,6 @@ TEST(BlockMinimum, OthersMeetTheRecordsWhereOneIsAtTheEndOfItsRange) {
     EXPECT_NEAR(found.point.own(r, 0), best_factor(decays, 0.8, r), 1e-4);
 }
 
-TEST_P(BlockMinimumBy, EndsAtTheIterationLimit) {
-  if (is_absent()) return;
-  Decays decays;
-  BlockTask one = task();
-  one.most_iterations = 1;
-  EXPECT_FALSE(minimise(decays, one).converged);
-}
-
 INSTANTIATE_TEST_SUITE_P(Minimisers, BlockMinimumBy, ::testing::Bool(),
                          [](const auto& one) { return one.param ? "Ceres" : "Own"; });
 

@@ -1,15 +1,20 @@
 // SPDX-License-Identifier: MIT
-#include "trajectories/shooting/confidence.hpp"
-
 #include <gtest/gtest.h>
 
+#include <Eigen/Dense>
 #include <Eigen/LU>
 #include <Eigen/QR>
-#include <algorithm>
 #include <array>
 #include <cmath>
 
 #include "core/base/random.hpp"
+#include "lacuna/core/base/error.hpp"
+#include "trajectories/shooting/confidence.hpp"
+#include "trajectories/shooting/cramer_rao.hpp"
+#include "trajectories/shooting/residual_analysis.hpp"
+#include "trajectories/shooting/residual_statistics.hpp"
+#include "unit/trajectories/shooting/dense_problem.hpp"
+#include "unit/trajectories/shooting/records.hpp"
 
 namespace lacuna {
 namespace {
@@ -31,19 +36,6 @@ TEST(Confidence, RobustFactorIsHubersFormula) {
   EXPECT_NEAR(robust_factor(residuals, 1.0), psi2 * weight / (1.0 / 9.0), 1e-12);
   // Where no residual is cut it is their mean square.
   EXPECT_NEAR(robust_factor(residuals, 10.0), (0.25 + 4.0 + 16.0) / 3.0, 1e-12);
-}
-
-TEST(Confidence, RobustFactorIsTheVarianceOfTheEstimate) {
-  // The mean of normal numbers by Huber's loss at 1.345 has a variance of 1 / (0.95 n): that is
-  // the factor over the sum of the weights.
-  Random random(5);
-  Matrix residuals(200000, 1);
-  double weights = 0.0;
-  for (double& r : residuals.reshaped()) {
-    r = random.normal();
-    weights += std::min(1.0, 1.345 / std::abs(r));
-  }
-  EXPECT_NEAR(robust_factor(residuals, 1.345) / weights * 200000.0, 1.0 / 0.95, 0.015);
 }
 
 Matrix triangle_of(const Matrix& rows) {
@@ -110,6 +102,92 @@ TEST(Confidence, FewWindowsSayNothingOfTheCovariance) {
   EXPECT_FALSE(block_covariance(std::vector<Matrix>(5, window), inverse).has_value());
   EXPECT_TRUE(block_covariance(std::vector<Matrix>(6, window), inverse).has_value());
   EXPECT_FALSE(block_covariance(std::vector<Matrix>(6, window), Matrix(0, 0)).has_value());
+}
+
+/// dx/dt = a, x(t) = x0 + a t: the textbook variance of a slope.
+TEST(CramerRao, IsTheTextbookVarianceOfASlope) {
+  const Variables variables{{"x"}, {}};
+  const OdeModel drift({{"x", ""}}, {}, {{{Term::parse("1", variables), 2.0}}});
+  Dataset truth;
+  truth.states = {{"x", ""}};
+  const Index n = 50;
+  const Vector time = Vector::LinSpaced(n, 0.0, 4.9);
+  truth.trajectories.push_back({"run", time, 1.0 + (2.0 * time.array()), Matrix(n, 0), {}});
+  const Vector bound = cramer_rao_bound(with_free_coefficients(drift), truth,
+                                        Vector::Constant(1, 0.3), equal_windows({0, n}, n));
+  const double spread = (time.array() - time.mean()).matrix().squaredNorm();
+  EXPECT_NEAR(bound[0], 0.3 / std::sqrt(spread), 1e-9);
+}
+
+/// A minimum, its influence up to lag 4, and the projector on the columns of the dense problem
+/// as it is there: first all samples of one state, then of the other.
+struct InfluenceCase {
+  InfluenceCase() : fit{c.plan, c.point, {}} {
+    minimise(c.problem, fit, 1e-12, 50, {});
+    influence = fit_influence(c.problem, fit, 4);
+    const Matrix j = testing::dense_problem(c.problem, c.plan, fit.point).jacobian;
+    projector = j * (j.transpose() * j).inverse() * j.transpose();
+  }
+
+  /// Calls `visit(q, lag, a, b)` with the rows of all pairs of samples within windows.
+  template <class Visit>
+  void pairs(Visit visit) const {
+    const Index n = c.problem.record().samples();
+    for (Index q = 0; q < 2; ++q)
+      for (const Window& window : c.plan)
+        for (Index lag = 1; lag <= 4; ++lag)
+          for (Index i = window.first; i + lag < window.first + window.samples; ++i)
+            visit(q, lag, q * n + i, q * n + i + lag);
+  }
+
+  testing::ShootingCase c;
+  ShootingFit fit;
+  FitInfluence influence;
+  Matrix projector;
+};
+
+TEST(FitInfluence, IsTheProjectorOfTheDenseProblem) {
+  const InfluenceCase c;
+  const Index n = c.c.problem.record().samples();
+  for (Index q = 0; q < 2; ++q)
+    EXPECT_NEAR(c.influence.taken[q], c.projector.diagonal().segment(q * n, n).sum(), 1e-5);
+  Matrix lagged = Matrix::Zero(4, 2), pairs = Matrix::Zero(4, 2);
+  c.pairs([&](Index q, Index lag, Index a, Index b) {
+    lagged(lag - 1, q) += c.projector(a, b);
+    pairs(lag - 1, q) += 1.0;
+  });
+  EXPECT_LT((c.influence.lagged - lagged).norm(), 1e-5);
+  EXPECT_EQ(c.influence.pairs, pairs);
+}
+
+TEST(ResidualStatistics, AreTheFormulasOnTheResiduals) {
+  const InfluenceCase c;
+  const Matrix r = c.c.problem.residuals(c.c.plan, c.fit.point);
+  const Vector noise = Vector{{0.15, 0.0}};
+  const auto statistics = residual_statistics(c.c.problem, c.fit, c.influence, noise);
+  ASSERT_EQ(statistics.size(), 2u);
+  Matrix products = Matrix::Zero(4, 2);
+  c.pairs([&](Index q, Index lag, Index a, Index b) {
+    products(lag - 1, q) += r.reshaped()[a] * r.reshaped()[b];
+  });
+  for (Index q = 0; q < 2; ++q) {
+    const ResidualStatistics& s = statistics[static_cast<std::size_t>(q)];
+    const double variance = r.col(q).squaredNorm() / (41.0 - c.influence.taken[q]);
+    EXPECT_NEAR(s.rms, std::sqrt(variance) * c.c.problem.sigma()[q], 1e-12);
+    EXPECT_EQ(s.state, q);
+    double sum = 0.0;
+    for (Index l = 0; l < 4; ++l) {
+      const double pairs = c.influence.pairs(l, q);
+      const double rho = (products(l, q) / variance + c.influence.lagged(l, q)) / pairs;
+      EXPECT_NEAR(s.autocorrelation[l], rho, 1e-9);
+      sum += rho * rho * pairs;
+    }
+    // Chi-squared with 4 degrees of freedom, by the transform of Wilson and Hilferty.
+    const double score = (std::cbrt(sum / 4.0) - (1.0 - 1.0 / 18.0)) * std::sqrt(18.0);
+    EXPECT_NEAR(s.structure, score, 1e-9);
+  }
+  EXPECT_NEAR(statistics[0].chi_squared, std::pow(statistics[0].rms / 0.15, 2), 1e-12);
+  EXPECT_EQ(statistics[1].chi_squared, 0.0) << "no noise to hold it against";
 }
 
 }  // namespace

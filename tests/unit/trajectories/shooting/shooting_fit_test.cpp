@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "trajectories/shooting/shooting_fit.hpp"
-
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
@@ -8,37 +6,130 @@
 #include <cmath>
 
 #include "core/base/random.hpp"
+#include "trajectories/shooting/shooting_fit.hpp"
+#include "trajectories/shooting/shooting_problem.hpp"
 #include "unit/trajectories/shooting/dense_problem.hpp"
 
 namespace lacuna {
 namespace {
 
+using testing::DenseProblem;
 using testing::ShootingCase;
+using testing::dense_problem;
 
-TEST(ShootingFit, MinimumHasNoGradientInAnyUnknown) {
-  ShootingCase c;
-  ShootingFit fit{c.plan, c.point, {}};
-  minimise(c.problem, fit, 1e-12, 50, {});
-  EXPECT_TRUE(fit.converged);
-  EXPECT_LT(fit.point.cost, c.point.cost);
-  const testing::DenseProblem dense = testing::dense_problem(c.problem, c.plan, fit.point);
-  const Vector gradient = dense.jacobian.transpose() * dense.residual;
-  const Vector step = dense.jacobian.householderQr().solve(dense.residual);
-  // What a further step would bring, in units in which 1 is a standard error of a parameter.
-  EXPECT_LT(gradient.dot(step), 1e-4);
-  EXPECT_NEAR(fit.point.cost, dense.residual.squaredNorm(), 1e-9 * fit.point.cost);
+// Elimination of initial states and the step against dense least squares that has them as
+// unknowns.
+/// Solution of the dense problem with rows damping * D below it.
+Vector dense_step(const DenseProblem& dense, const Vector& damping) {
+  const Index n = dense.jacobian.rows(), u = dense.jacobian.cols();
+  Matrix rows = Matrix::Zero(n + u, u);
+  rows.topRows(n) = dense.jacobian;
+  rows.bottomRows(u) = damping.asDiagonal();
+  Vector target = Vector::Zero(n + u);
+  target.head(n) = dense.residual;
+  return rows.householderQr().solve(target);
 }
 
-TEST(ShootingFit, EndsAtTheIterationLimit) {
+/// Damping of each unknown: norms of the columns, of parameters without initial states.
+Vector damping_of(const DenseProblem& dense, double damping) {
+  Vector sizes = dense.jacobian.colwise().norm();
+  sizes.tail(dense.parameters()) =
+      dense.without_starts(dense.jacobian.rightCols(dense.parameters())).colwise().norm();
+  return damping * sizes;
+}
+
+TEST(ShootingProblem, WindowsAreTheRowsOfTheDenseProblem) {
   ShootingCase c;
-  ShootingFit fit{c.plan, c.point, {}};
-  minimise(c.problem, fit, 1e-12, 1, {});
-  EXPECT_FALSE(fit.converged);
-  EXPECT_EQ(fit.iterations, 1);
-  ShootingFit coarse{c.plan, c.point, {}};
-  minimise(c.problem, coarse, 1e6, 50, {});
-  EXPECT_TRUE(coarse.converged) << "no step is worth so much";
-  EXPECT_EQ(coarse.iterations, 0);
+  ASSERT_EQ(c.plan.size(), 5u);
+  const DenseProblem dense = dense_problem(c.problem, c.plan, c.point);
+  const ShootingLinearisation linear = c.problem.linearise(c.plan, c.point);
+  const Index n = c.problem.record().samples(), p = dense.parameters();
+  for (std::size_t w = 0; w < c.plan.size(); ++w) {
+    Matrix rows(2 * c.plan[w].samples, 2 + p + 1);
+    for (Index q = 0; q < 2; ++q) {
+      const auto own = Eigen::seqN(q * n + c.plan[w].first, c.plan[w].samples);
+      auto part = rows.middleRows(q * c.plan[w].samples, c.plan[w].samples);
+      part.leftCols(2) =
+          dense.jacobian(own, Eigen::all).middleCols(2 * static_cast<Index>(w), 2);
+      part.middleCols(2, p) = dense.jacobian(own, Eigen::all).rightCols(p);
+      part.col(2 + p) = dense.residual(own);
+    }
+    const Matrix gram = rows.transpose() * rows;
+    const Matrix& triangle = linear.windows[w];
+    EXPECT_LT((triangle.transpose() * triangle - gram).norm(), 1e-6 * gram.norm()) << w;
+  }
+}
+
+TEST(ShootingProblem, StepIsThatOfTheDenseProblem) {
+  ShootingCase c;
+  const DenseProblem dense = dense_problem(c.problem, c.plan, c.point);
+  const ShootingLinearisation linear = c.problem.linearise(c.plan, c.point);
+  for (const double damping : {0.0, 0.3, 3.0}) {
+    const BlockStep step = solve_blocks(linear.triangles(), 2, damping);
+    const Vector expected = dense_step(dense, damping_of(dense, damping));
+    EXPECT_LT((step.common - expected.tail(dense.parameters())).norm(),
+              1e-5 * expected.tail(dense.parameters()).norm())
+        << damping;
+    EXPECT_LT((step.own.transpose().reshaped() - expected.head(dense.starts)).norm(),
+              1e-5 * expected.head(dense.starts).norm())
+        << damping;
+    const Vector left = dense.residual - dense.jacobian * expected;
+    EXPECT_NEAR(step.decrease, dense.residual.squaredNorm() - left.squaredNorm(),
+                1e-5 * step.decrease)
+        << damping;
+  }
+}
+
+TEST(ShootingProblem, HubersLossIsLinearOutside) {
+  constexpr double kHuber = 0.2;
+  ShootingCase c(kHuber);
+  const Matrix r = c.problem.residuals(c.plan, c.point);
+  const Matrix weights = c.problem.row_weights(c.point);
+  const Prior prior = *c.problem.model().priors()[0];
+  double cost = std::pow((prior.value - c.point.parameters[0]) / prior.tolerance, 2);
+  Index outside = 0;
+  for (Index q = 0; q < 2; ++q)
+    for (Index i = 0; i < r.rows(); ++i) {
+      const double size = std::abs(r(i, q)), sigma = c.problem.sigma()[q];
+      outside += size > kHuber ? 1 : 0;
+      cost += size > kHuber ? 2.0 * kHuber * size - kHuber * kHuber : size * size;
+      const double weight = size > kHuber ? kHuber / size : 1.0;
+      EXPECT_NEAR(std::pow(weights(i, q) * sigma, 2), weight, 1e-12);
+    }
+  ASSERT_GT(outside, 5);
+  EXPECT_NEAR(c.point.cost, cost, 1e-9 * cost);
+}
+
+TEST(ShootingProblem, StatesWithoutAColumnHaveNoRows) {
+  ShootingCase c({}, testing::without_states(testing::two_records(), 1, 1));
+  c.point.starts.col(1).setConstant(0.4);
+  c.problem.evaluate(c.plan, c.point);
+  const DenseProblem dense = dense_problem(c.problem, c.plan, c.point);
+  EXPECT_EQ(dense.residual.size(), 41 + 1);
+  const ShootingLinearisation linear = c.problem.linearise(c.plan, c.point);
+  const BlockStep step = solve_blocks(linear.triangles(), 2, 0.3);
+  const Vector expected = dense_step(dense, damping_of(dense, 0.3));
+  EXPECT_LT((step.common - expected.tail(dense.parameters())).norm(),
+            1e-4 * expected.tail(dense.parameters()).norm());
+}
+
+TEST(ShootingProblem, DirectionsThatAreNotDeterminedGetNothing) {
+  const Matrix triangle = Matrix{{2.0, 4.0, 1.0}, {0.0, 0.0, 1.0}, {0.0, 0.0, 3.0}};
+  const Vector solution = solve_determined(triangle, Vector{{5.0, 1.0, 3.0}});
+  EXPECT_TRUE(solution[0] == 0.0 || solution[1] == 0.0);
+  EXPECT_NEAR(solution[2], 1.0, 1e-12);
+  EXPECT_NEAR(2.0 * solution[0] + 4.0 * solution[1], 4.0, 1e-12);
+  const Matrix scales = Matrix{{1e-9, 2.0}, {0.0, 1e9}};
+  EXPECT_LT((scales * solve_determined(scales, Vector{{1.0, 1.0}}) - Vector::Ones(2)).norm(),
+            1e-9);
+}
+
+TEST(ShootingProblem, CovarianceIsTheInverseOfTheNormalEquations) {
+  const Matrix triangle = Matrix{{2e-6, 1e-6, 3.0}, {0.0, 5.0, -1.0}, {0.0, 0.0, 0.1}};
+  const Matrix covariance = covariance_of(triangle);
+  const Matrix identity = triangle * covariance * triangle.transpose();
+  EXPECT_LT((identity - Matrix::Identity(3, 3)).norm(), 1e-9);
+  EXPECT_FALSE(covariance_of(Matrix{{1.0, 2.0}, {0.0, 1e-13}}).allFinite());
 }
 
 /// dx/dt = -a x over 20 samples, x(0) = 2, with noise.
@@ -81,28 +172,6 @@ TEST(ShootingFit, FindsTheLeastSquaresOfAnExponential) {
   EXPECT_NEAR(fit.point.cost, least, 1e-8);
 }
 
-TEST(ShootingFit, NoStepRaisesTheCost) {
-  for (const double start : {-4.0, -2.0, 0.1, 6.0, 20.0}) {
-    ShootingProblem problem = decay_problem(start, 0.1);
-    ShootingFit fit;
-    fit.plan = equal_windows(problem.record().begins, 20);
-    fit.point.parameters = problem.model().values();
-    fit.point.starts = Matrix::Constant(1, 1, 1.0);
-    problem.evaluate(fit.plan, fit.point);
-    for (int step = 1; step <= 20; ++step) {
-      const double before = fit.point.cost;
-      minimise(problem, fit, 1e-12, 1, {});
-      EXPECT_LE(fit.point.cost, before) << "step " << step << " from " << start;
-    }
-  }
-}
-
-TEST(ShootingFit, DegreesOfFreedomAreResidualsLessUnknowns) {
-  const ShootingCase c;
-  EXPECT_EQ(degrees_of_freedom(c.problem, c.plan), 2 * 41 - 3 - 5 * 2);
-  EXPECT_EQ(degrees_of_freedom(c.problem, equal_windows({0, 25, 41}, 1)), 1) << "at least 1";
-}
-
 TEST(ShootingFit, ResidualSigmaCountsWhatTheFitTook) {
   ShootingCase c;
   const ShootingFit fit{c.plan, c.point, {}};
@@ -119,13 +188,6 @@ TEST(ShootingFit, ResidualSigmaCountsWhatTheFitTook) {
   const double median = sizes[20] / 0.6744897501960817;  // that of |normal| is 0.6745
   EXPECT_NEAR(residual_sigma(c.problem, fit, true, Vector{{9.0, 4.0}})[1],
               0.2 * median * std::sqrt(41.0 / 37.0), 1e-12);
-}
-
-TEST(ShootingFit, StartsAreTheStatesAtTheFirstSamples) {
-  Matrix states(6, 2);
-  states << 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11;
-  const Matrix starts = starts_of({{0, 2, 2}, {2, 3, 3}, {5, 1, 0}}, states);
-  EXPECT_EQ(starts, (Matrix{{0, 1}, {4, 5}, {10, 11}}));
 }
 
 TEST(ShootingFit, StepsAreAsFineAsTheNoiseAsks) {

@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: MIT
-#include "trajectories/shooting/window_search.hpp"
-
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/random.hpp"
+#include "lacuna/core/base/error.hpp"
 #include "trajectories/shooting/confidence.hpp"
+#include "trajectories/shooting/state_guess.hpp"
+#include "trajectories/shooting/window_search.hpp"
 #include "unit/trajectories/shooting/records.hpp"
 
 namespace lacuna {
@@ -64,21 +66,6 @@ double score_of(const ShootingFit& fit) {
   return covariance ? 0.5 * covariance->diagonal().array().log().mean() : 1e300;
 }
 
-TEST(WindowSearch, NoOtherLengthKnowsTheParametersMuchBetter) {
-  InexactCase c;
-  const ShootingFit found = search_windows(c.problem, c.fit, c.search(), {});
-  EXPECT_TRUE(found.point.finite);
-  // One standard error of the mean log standard error over 30 blocks.
-  const auto parameters = static_cast<double>(c.problem.model().size());
-  const double margin = 1.0 / std::sqrt(2.0 * 30.0 * parameters);
-  const Index samples = longest_of(found.plan);
-  for (const Index other : {samples / 2, samples, 2 * samples}) {
-    if (other < 4) continue;
-    const ShootingFit fit = c.fit_of(equal_windows(c.problem.record().begins, other));
-    EXPECT_GT(score_of(fit), score_of(found) - margin - 0.05) << other << " of " << samples;
-  }
-}
-
 TEST(WindowSearch, TwiceAsLongWindowsKnowTheParametersLessWell) {
   InexactCase c;
   const double margin =
@@ -96,28 +83,75 @@ TEST(WindowSearch, TwiceAsLongWindowsKnowTheParametersLessWell) {
   }
 }
 
-TEST(WindowSearch, ParametersAreTheLeastSquaresOfTheChosenWindows) {
-  InexactCase c;
-  const ShootingFit found = search_windows(c.problem, c.fit, c.search(), {});
-  const ShootingFit again = c.fit_of(found.plan);
-  const Index p = found.point.parameters.size();
-  const Vector error =
-      covariance_of(found.linear.reduced.topLeftCorner(p, p)).diagonal().cwiseSqrt();
-  EXPECT_LT((found.point.parameters - again.point.parameters)
-                .cwiseQuotient(error)
-                .cwiseAbs()
-                .maxCoeff(),
-            0.1 * std::sqrt(found.point.cost));
+/// dq/dt = 2 v + q, dv/dt = -q with q = sin t: v = (cos t - sin t) / 2.
+ParametrisedModel chain(const std::string& first, const std::string& second) {
+  const Variables names{{"q", "v"}, {}};
+  return with_free_coefficients(
+      OdeModel({{"q", ""}, {"v", ""}}, {},
+               {{{Term::parse(first, names), 2.0}, {Term::parse("q", names), 1.0}},
+                {{Term::parse(second, names), -1.0}}}));
 }
 
-TEST(WindowSearch, TooFewWindowsForErrorsLeaveTheFitAsItIs) {
-  InexactCase c;
-  const ShootingFit whole = c.fit_of(equal_windows(c.problem.record().begins, 800));
-  InexactWindows search = c.search();
-  search.shortest = 800;  // no halving: nothing has a score
-  const ShootingFit found = search_windows(c.problem, whole, search, {});
-  EXPECT_EQ(found.plan.size(), 1u);
-  EXPECT_EQ(found.point.parameters, whole.point.parameters);
+Trajectory sine(Index n, double begin, double noise, std::uint64_t seed) {
+  Trajectory run{.source = "run" + std::to_string(seed) + ".csv",
+                 .time = Vector::LinSpaced(n, begin, begin + 0.02 * static_cast<double>(n - 1)),
+                 .states = {},
+                 .inputs = Matrix(n, 0),
+                 .derivatives = {}};
+  Random random(seed);
+  run.states.resize(n, 1);
+  for (Index i = 0; i < n; ++i)
+    run.states(i, 0) = std::sin(run.time[i]) + noise * random.normal();
+  return run;
+}
+
+Dataset sines(double noise) {
+  Dataset data;
+  data.states = {{"q", ""}};
+  data.trajectories = {sine(200, 0.0, noise, 1), sine(100, 40.0, noise, 2)};
+  return data;
+}
+
+Matrix guessed(const ParametrisedModel& model, const Dataset& data, double sigma) {
+  const ShootingRecord record = shooting_record(model, data);
+  Rates rates(model);
+  const StageSignals signals = stage_signals(record, rates, {&runge_kutta_4(), 1});
+  return guess_states(model, record, rates, signals, Vector::Constant(1, sigma));
+}
+
+TEST(StateGuess, AnotherStateSolvesTheEquationItStandsIn) {
+  const Matrix states = guessed(chain("v", "q"), sines(0.0), 0.0);
+  for (Index i = 0; i < 300; ++i) {
+    const double t =
+        i < 200 ? 0.02 * static_cast<double>(i) : 40.0 + 0.02 * static_cast<double>(i - 200);
+    EXPECT_NEAR(states(i, 1), 0.5 * (std::cos(t) - std::sin(t)), 5e-4) << i;
+  }
+}
+
+TEST(StateGuess, SmallDivisorsKeepTheQuotientBefore) {
+  // dq/dt = 2 q v + q: v = (cos t - sin t) / (2 sin t), nothing is known of it at t = 0.
+  const Matrix states = guessed(chain("q*v", "q"), sines(0.0), 0.0);
+  EXPECT_EQ(states(0, 1), 0.0);
+  EXPECT_TRUE(states.allFinite());
+  EXPECT_NEAR(states(79, 1), 0.5 * (1.0 / std::tan(1.58) - 1.0), 1e-3);
+}
+
+TEST(SmoothDerivative, IsExactForParabolasWithinEachRecord) {
+  Dataset data = sines(0.0);
+  const auto parabola = [](double t) { return 1.0 - 2.0 * t + 3.0 * t * t; };
+  for (Trajectory& run : data.trajectories)
+    for (Index i = 0; i < run.samples(); ++i) run.states(i, 0) = parabola(run.time[i]);
+  const ShootingRecord record = shooting_record(chain("v", "q"), data);
+  const Vector slopes = smooth_derivative(record, record.values.col(0), 1e-9);
+  for (Index i = 0; i < 300; ++i)
+    EXPECT_NEAR(slopes[i], -2.0 + 6.0 * record.time[i], 1e-6) << i;
+}
+
+TEST(SmoothDerivative, SmoothsAsMuchAsTheNoiseAllows) {
+  const ShootingRecord record = shooting_record(chain("v", "q"), sines(0.01));
+  const Vector slopes = smooth_derivative(record, record.values.col(0), 0.01);
+  const double error = (slopes - record.time.array().cos().matrix()).norm() / std::sqrt(300.0);
+  EXPECT_LT(error, 0.1) << "differences of neighbours have errors of 0.35";
 }
 
 }  // namespace

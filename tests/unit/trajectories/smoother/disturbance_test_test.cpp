@@ -1,13 +1,19 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/trajectories/smoother/disturbance_test.hpp"
-
+// What samples show of disturbances, outliers, tones and clocks.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
+#include "core/base/random.hpp"
+#include "lacuna/trajectories/smoother/disturbance_test.hpp"
 #include "support/assimilated_oscillator.hpp"
 #include "support/joint_gaussian.hpp"
+#include "trajectories/smoother/outlier_check.hpp"
+#include "trajectories/smoother/spectral_lines.hpp"
+#include "trajectories/smoother/timing_jitter.hpp"
 
 namespace lacuna {
 namespace {
@@ -27,13 +33,6 @@ TEST(Structure, IsNotSignificantInACompleteModel) {
   const auto structures = test_disturbances(fit, RunContext{});
   ASSERT_FALSE(structures.empty());
   for (const auto& structure : structures) EXPECT_LT(structure.sigma, 3.5);
-}
-
-TEST(Structure, RatesAreThoseOfThePath) {
-  const Assimilation fit = support::assimilated(support::hidden_record(support::nothing, 0.01));
-  const Vector& v = fit.records[0].path.col(1);
-  EXPECT_NEAR(rate_rms(fit)[0], std::sqrt(v.squaredNorm() / static_cast<double>(v.size())),
-              0.02 * rate_rms(fit)[0]);
 }
 
 TEST(Structure, TheTotalCountsEveryEquationInUnitsOfItsRate) {
@@ -114,6 +113,67 @@ TEST(Structure, BridgedStepsDoNotCountAsLeftOver) {
                                    [](const auto& each) { return each.equation == 1; });
   ASSERT_NE(second, equations.end());
   EXPECT_NEAR(second->rms, std::sqrt(squares / 23.0), 1e-9);
+}
+
+TEST(OutlierCheck, KeepsWhatThePathDoesNotExplain) {
+  Dataset data = support::hidden_record(support::nothing, 0.01);
+  data.trajectories[0].states(200, 0) += 0.5;
+  Matrix marks = Matrix::Zero(data.samples(), 2);
+  marks(200, 0) = 1.0;
+  marks(300, 0) = 1.0;  // a sample like others
+  const Assimilation fit = assimilate(support::oscillator(), as_measured(data, {marks}),
+                                      support::oscillator_fit_options(), RunContext{});
+  const OutlierCheck check = check_outliers(data.states, fit);
+  EXPECT_TRUE(check.any_false);
+  EXPECT_EQ(check.outliers[0](200, 0), 1.0);
+  EXPECT_EQ(check.outliers[0].sum(), 1.0);
+  EXPECT_THAT(check.notes, ::testing::ElementsAre("1 outlier of q was left out"));
+}
+
+TEST(ModulationLines, FindWhereACoefficientSwings) {
+  constexpr double kFrequency = 0.35, kPhase = 0.7;
+  const auto swinging = [](double t, double q, double) {
+    return q * std::sin(2.0 * std::numbers::pi * kFrequency * t + kPhase);
+  };
+  const Assimilation fit = support::assimilated(support::hidden_record(swinging, 1e-3));
+  const std::vector<ModulationLine> lines = modulation_lines(fit, 3);
+  ASSERT_EQ(lines.size(), 3u);  // one for each term of dv/dt
+  const auto found = std::find_if(lines.begin(), lines.end(), [](const ModulationLine& one) {
+    return one.term.to_string() == "q";
+  });
+  ASSERT_NE(found, lines.end());
+  EXPECT_EQ(found->line.equation, 1);
+  const double resolution = 1.0 / (fit.records.front().time.tail<1>()[0]);
+  EXPECT_NEAR(found->line.frequency, kFrequency, 0.5 * resolution);
+  EXPECT_NEAR(std::remainder(found->line.phase - kPhase, 2.0 * std::numbers::pi), 0.0, 1.2);
+}
+
+/// The oscillator, its states moved along their rates by a time that scatters. @param shared
+/// whether both states are taken at one time.
+Dataset scattered(double deviation, bool shared) {
+  Dataset data = support::hidden_record(support::nothing, 0.002);
+  Trajectory& record = data.trajectories[0];
+  const Matrix states = record.states;
+  Random random(7);
+  for (Index i = 1; i + 1 < record.samples(); ++i) {
+    double late = deviation * random.normal();
+    for (Index k = 0; k < 2; ++k) {
+      const double rate =
+          (states(i + 1, k) - states(i - 1, k)) / (record.time[i + 1] - record.time[i - 1]);
+      record.states(i, k) += late * rate;
+      if (!shared) late = deviation * random.normal();
+    }
+  }
+  return data;
+}
+
+TEST(TimingJitter, IsHowFarTheTimesScatter) {
+  for (const bool shared : {true, false}) {
+    const TimingJitter found = timing_jitter(support::assimilated(scattered(0.01, shared)));
+    EXPECT_NEAR(found.deviation, shared ? 0.01 : 0.008, 0.002);
+    EXPECT_GT(found.sigma, 5.0);
+    EXPECT_GT(found.fraction, 0.5);
+  }
 }
 
 }  // namespace

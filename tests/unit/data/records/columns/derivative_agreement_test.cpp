@@ -38,18 +38,6 @@ bool agrees(const Dataset& data, Index derivative, Index of) {
   return is_derivative(data, analyse_noise(data), derivative, of);
 }
 
-TEST(IsDerivative, HoldsWithAndWithoutNoise) {
-  for (const double noise : {0.0, 0.01, 0.05, 0.1})
-    for (const Index n : {300, 1000, 5000}) {
-      const Dataset data = columns_of(cycle(n), noise);
-      EXPECT_TRUE(agrees(data, 2, 0)) << noise << " " << n;
-      EXPECT_TRUE(agrees(data, 3, 1)) << noise << " " << n;
-      EXPECT_FALSE(agrees(data, 3, 0)) << noise << " " << n;
-      EXPECT_FALSE(agrees(data, 0, 2)) << noise << " " << n;
-      EXPECT_FALSE(agrees(data, 1, 0)) << noise << " " << n;
-    }
-}
-
 TEST(IsDerivative, HoldsForDifferencesOfNeighbours) {
   EXPECT_TRUE(agrees(by_differences(0, 1), 2, 0));
   EXPECT_TRUE(agrees(by_differences(1, 0), 2, 0));
@@ -96,13 +84,6 @@ TEST(IsDerivative, NeedsEnoughSamplesAndNumbers) {
   EXPECT_FALSE(is_derivative(data, noise, 2, 0));
   EXPECT_THROW(is_derivative(data, noise, 4, 0), ArgumentError);
   EXPECT_THROW(is_derivative(data, {}, 2, 0), ArgumentError);
-}
-
-TEST(IsDerivative, LooksAtAllRecords) {
-  Trajectory other = cycle();
-  other.states.col(2) = other.states.col(1);
-  EXPECT_TRUE(agrees(named_columns({cycle(), cycle(500)}, {0, 1, 2, 3}, kNames), 2, 0));
-  EXPECT_FALSE(agrees(named_columns({cycle(), other}, {0, 1, 2, 3}, kNames), 2, 0));
 }
 
 }  // namespace

@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: MIT
-#include "trajectories/fit/population/marginal_likelihood.hpp"
-
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "support/populations.hpp"
+#include "trajectories/fit/fit_steps.hpp"
+#include "trajectories/fit/population/marginal_likelihood.hpp"
+#include "trajectories/fit/population/record_mode.hpp"
+#include "trajectories/fit/population/smooth_minimum.hpp"
 
 namespace lacuna {
 namespace {
@@ -66,21 +69,6 @@ TEST(MarginalLikelihood, IsThatOfTheLinearMixedModel) {
   EXPECT_NEAR(found.loss, expected, 1e-6);
 }
 
-TEST(MarginalLikelihood, OfNoSpreadIsThatOfIndependentValues) {
-  const SystemModel system = support::line_model();
-  Population population(system, support::lines(system, 3, 0.0, 0.0, 0.1, 2));
-  const PopulationState found =
-      population.at(Vector{{2.0, 1.0}}, Vector::Zero(2), Vector{{0.1}});
-  double expected = 0.0;
-  const FitRecords& records = population.engine.records;
-  ASSERT_EQ(records.samples(), 24);
-  for (Index n = 0; n < records.samples(); ++n) {
-    const double residual = (records.values(n, 0) - 2.0 - records.series.time[n]) / 0.1;
-    expected += std::log(2.0 * std::numbers::pi * 0.01) + residual * residual;
-  }
-  EXPECT_NEAR(found.loss, expected, 1e-8);
-}
-
 // exp(-k t) with a lognormal k is no normal: Laplace's approximation beside the sum over a fine
 // grid of z, which is exact to 1e-10.
 TEST(MarginalLikelihood, IsNearTheIntegralWhereTheModelIsNotLinear) {
@@ -117,25 +105,121 @@ TEST(MarginalLikelihood, IsNearTheIntegralWhereTheModelIsNotLinear) {
   }
 }
 
-TEST(MarginalLikelihood, CoordinatesGoThereAndBack) {
+// The mode of a linear model is the best linear unbiased prediction: with Z = [w_b 1, w_a t],
+// z = (Z'Z + sigma^2 I)^-1 Z'(y - b0 - a0 t) (Laird and Ware, Biometrics 38:963-974, 1982).
+TEST(RecordMode, IsTheBestLinearPrediction) {
+  const SystemModel system = support::line_model();
+  const Dataset data = support::lines(system, 3, 0.5, 0.3, 0.2, 1);
+  const ParametrisedModel model = system.parametrised();
+  FitEngine engine = fit_engine(model, fit_records(model, data));
+  const PopulationProblem problem = population_problem(system, engine, fit_unknowns(model, {}));
+  const PopulationValues values{Vector{{2.1, 0.9}}, Vector{{0.4, 0.25}}, Vector{{0.2}}};
+  set_noise_sizes(problem.sizes, values.sizes, engine);
+  FitPoint point{Matrix::Zero(3, 2), engine.records.starts};
+  FitPath path = empty_path(engine);
+  const RecordMode mode =
+      find_mode(engine, problem, values, 1, Vector::Zero(2), point, path);
+  const Vector t = data.trajectories[1].time;
+  Matrix z(t.size(), 2);
+  z << 0.4 * Vector::Ones(t.size()), 0.25 * t;
+  const Vector residual = engine.records.values.col(0).segment(8, 8).array() - 2.1 -
+                          0.9 * t.array();
+  const Matrix normal = z.transpose() * z + 0.04 * Matrix::Identity(2, 2);
+  const Vector expected = normal.ldlt().solve(z.transpose() * residual);
+  EXPECT_TRUE(mode.own.isApprox(expected, 1e-8)) << mode.own << "\n" << expected;
+  EXPECT_TRUE(mode.covariance.isApprox(0.04 * normal.inverse(), 1e-8));
+  EXPECT_NEAR(mode.log_determinant, std::log((normal / 0.04).determinant()), 1e-8);
+  EXPECT_NEAR(point.parameters(1, 0), 2.1 + 0.4 * expected[0], 1e-8);
+}
+
+// Far from the mode, of a model that is not linear, by noise that depends on it: no neighbour is
+// more probable.
+TEST(RecordMode, IsAMaximumFromFarAway) {
   const SystemModel system = parse_ode_system(
-      "param k = 0.5 varies */ 1.3\nparam c = -1 varies +- 0.2\nparam d = 2 in 1..4\n"
-      "dx/dt = -k*x + c + d\ny = x\n",
-      "m.ode");
-  const Dataset data = support::lines(system, 4, 0.1, 0.1, 0.1, 4);
-  const Population population(system, data);
-  const PopulationValues values{Vector{{0.6, -1.2, 3.0}}, Vector{{0.3, 0.1}}, Vector{{0.2}}};
-  const PopulationCoordinates coordinates(population.problem, values);
-  EXPECT_EQ(coordinates.size(), 6);
-  EXPECT_TRUE(coordinates.is_logarithmic(0)) << "it varies by a factor";
-  EXPECT_FALSE(coordinates.is_logarithmic(1));
-  EXPECT_TRUE(coordinates.is_logarithmic(2)) << "its range is above 0";
-  const PopulationValues again = coordinates.values(coordinates.of(values));
-  EXPECT_TRUE(again.parameters.isApprox(values.parameters, 1e-14));
-  EXPECT_TRUE(again.spreads.isApprox(values.spreads, 1e-14));
-  EXPECT_TRUE(again.sizes.isApprox(values.sizes, 1e-14));
-  EXPECT_DOUBLE_EQ(coordinates.lower()[2], 0.0) << "log 1";
-  EXPECT_DOUBLE_EQ(coordinates.upper()[2], std::log(4.0));
+      "param k = 0.5 varies */ 2\nparam s = 3 varies */ 1.5\ndx/dt = -k*x\n"
+      "y = s*x noise both\ninitial x = 1 fixed\n",
+      "decay.ode");
+  const Dataset data = support::individuals(
+      system, 2, sample_times(0.0, 0.5, 12), 3, [](Random&) {
+        return [](double t, Random& each) {
+          return 5.0 * std::exp(-1.1 * t) * (1.0 + 0.1 * each.normal()) + 0.1;
+        };
+      });
+  const ParametrisedModel model = system.parametrised();
+  FitEngine engine = fit_engine(model, fit_records(model, data));
+  set_substeps(engine, 4);
+  const PopulationProblem problem = population_problem(system, engine, fit_unknowns(model, {}));
+  const PopulationValues values{Vector{{0.5, 3.0}}, Vector{{0.69, 0.4}}, Vector{{0.05, 0.1}}};
+  set_noise_sizes(problem.sizes, values.sizes, engine);
+  FitPoint point{Matrix::Zero(2, 2), engine.records.starts};
+  FitPath path = empty_path(engine);
+  const auto loss_at = [&](const Vector& own) {
+    place_own(problem, values, own, 0, point);
+    follow_record(engine, point, {}, 0, path);
+    return -2.0 * record_log_likelihood(engine, path, 0) + own.squaredNorm();
+  };
+  const RecordMode mode =
+      find_mode(engine, problem, values, 0, Vector{{-3.0, 3.0}}, point, path);
+  ASSERT_TRUE(std::isfinite(mode.loss));
+  for (const double step : {-1e-3, 1e-3})
+    for (Index i = 0; i < 2; ++i) {
+      Vector own = mode.own;
+      own[i] += step;
+      EXPECT_GT(loss_at(own), mode.loss) << i << " " << step;
+    }
+}
+
+constexpr double kNone = std::numeric_limits<double>::infinity();
+
+SmoothTask from(const Vector& start) {
+  return {start, Matrix::Identity(start.size(), start.size()),
+          Vector::Constant(start.size(), -kNone), Vector::Constant(start.size(), kNone)};
+}
+
+// Rosenbrock's valley (Computer J. 3:175-184, 1960): its minimum is (1, 1).
+const auto valley = [](const Vector& x) {
+  return std::pow(1.0 - x[0], 2) + 100.0 * std::pow(x[1] - x[0] * x[0], 2);
+};
+
+TEST(SmoothMinimum, FollowsACurvedValley) {
+  int moves = 0;
+  const SmoothMinimum found = minimise_smooth(
+      valley, [&](const Vector&) { ++moves; }, from(Vector{{-1.2, 1.0}}), {});
+  EXPECT_TRUE(found.converged);
+  EXPECT_NEAR(found.place[0], 1.0, 1e-3);
+  EXPECT_NEAR(found.place[1], 1.0, 1e-3);
+  EXPECT_LT(found.value, 1e-6);
+  EXPECT_GT(moves, 5);
+}
+
+TEST(SmoothMinimum, StaysInRangesAndAtWhatIsHeld) {
+  SmoothTask task = from(Vector{{0.2, 0.0, 5.0}});
+  task.upper[0] = 0.5;
+  task.lower[2] = task.upper[2] = 5.0;
+  const SmoothMinimum found = minimise_smooth(
+      [](const Vector& x) { return valley(x.head(2)) + std::pow(x[2], 2); },
+      [](const Vector&) {}, task, {});
+  EXPECT_TRUE(found.converged);
+  EXPECT_DOUBLE_EQ(found.place[0], 0.5);
+  EXPECT_NEAR(found.place[1], 0.25, 1e-4) << "least of the valley at x = 0.5";
+  EXPECT_DOUBLE_EQ(found.place[2], 5.0);
+}
+
+TEST(SmoothMinimum, ComesBackFromWhereThereIsNoValue) {
+  // -log x + x has its minimum at 1; beyond 0 it has no value.
+  const SmoothMinimum found = minimise_smooth(
+      [](const Vector& x) { return x[0] > 0.0 ? x[0] - std::log(x[0]) : kNone; },
+      [](const Vector&) {}, from(Vector{{6.0}}), {});
+  EXPECT_TRUE(found.converged);
+  EXPECT_NEAR(found.place[0], 1.0, 1e-3);
+}
+
+TEST(SmoothMinimum, SecondDerivativesOfAQuadraticAreExact) {
+  const Matrix expected{{4.0, 1.0, 0.0}, {1.0, 3.0, 0.0}, {0.0, 0.0, 0.0}};
+  const Matrix found = second_derivatives(
+      [&](const Vector& x) { return 0.5 * x.dot(expected * x) + 2.0 * x[0] + x[2] * x[2]; },
+      Vector{{0.3, -0.2, 1.0}}, Vector{{0.1, 0.2, 0.0}}, {});
+  EXPECT_TRUE(found.isApprox(expected, 1e-10)) << found;
 }
 
 }  // namespace
