@@ -7,6 +7,7 @@
 #include "answers.hpp"
 #include "cli/configuration/diagnosis_configuration.hpp"
 #include "command.hpp"
+#include "core/base/json.hpp"
 #include "core/base/parts.hpp"
 #include "core/base/text.hpp"
 #include "core/base/user_text.hpp"
@@ -69,15 +70,11 @@ DiagnoseRequest request_of(const DiagnoseArguments& options) {
   return request;
 }
 
-std::string names_as_json(const nlohmann::json& names) {
-  return names.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
-}
-
 Configuration configuration_of(const DiagnoseRequest& options) {
   Configuration configuration;
   if (options.config) configuration.merge_file(*options.config);
   if (!options.effects.empty())
-    configuration.set_by("--effect", "effects", names_as_json(options.effects));
+    configuration.set_by("--effect", "effects", json_line(SortedJson(options.effects)));
   if (options.max_effects) {
     const std::string most = std::to_string(*options.max_effects);
     configuration.set_by("--max-effects " + most, "decision.max_effects", most);

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "command.hpp"
+#include "core/base/json.hpp"
 #include "core/base/text.hpp"
 #include "lacuna/core/base/error.hpp"
 #include "lacuna/model/files/model_file.hpp"
@@ -17,7 +18,7 @@ namespace {
 using Json = nlohmann::json;
 
 SystemModel model_in(const Json& answer, const char* key, const std::string& source) {
-  return parse_system(answer.at(key).dump(), source + ": $." + key);
+  return parse_system(json_line(answer.at(key)), source + ": $." + key);
 }
 
 /// The noise of channels: residuals of a fit are no smaller.

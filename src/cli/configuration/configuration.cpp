@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 
+#include "core/base/json.hpp"
 #include "core/base/text.hpp"
 #include "core/base/utf8.hpp"
 #include "core/files/file_bytes.hpp"
@@ -103,7 +104,7 @@ Json nested_value(std::string_view path, Json value) {
 
 /// The value of an assignment: JSON where it is some, else text.
 Json value_of(std::string_view text, const std::string& source) {
-  if (!Json::accept(text)) return std::string(text);
+  if (!is_json(text)) return std::string(text);
   return parse_document(text, source);
 }
 
@@ -127,7 +128,7 @@ void check_keys(const Json& root) {
 std::string text_at(const Json& root, const std::string& key, const std::string& otherwise) {
   if (!root.contains(key)) return otherwise;
   if (!root[key].is_string())
-    throw ConfigError("$." + key, root[key].dump() + " is not a text", "give a text");
+    throw ConfigError("$." + key, json_line(root[key]) + " is not a text", "give a text");
   return root[key].get<std::string>();
 }
 
@@ -348,9 +349,7 @@ void Configuration::add_constraint(const std::string& text) {
   constraints.push_back(text);
 }
 
-std::string Configuration::text() const {
-  return document_->root.dump(-1, ' ', false, Json::error_handler_t::replace);
-}
+std::string Configuration::text() const { return json_line(document_->root); }
 
 bool Configuration::says_pipeline() const {
   const Json& root = document_->root;

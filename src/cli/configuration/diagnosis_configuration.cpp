@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "cli/configuration/diagnosis_configuration.hpp"
 
+#include "core/base/json.hpp"
 #include "core/base/text.hpp"
 #include "option_reader.hpp"
 
@@ -22,7 +23,7 @@ std::vector<std::string> names_in(const Json& list, const std::string& key,
                                   const std::vector<std::string>& known) {
   const auto is_text = [](const Json& name) { return name.is_string(); };
   if (!list.is_array() || !std::all_of(list.begin(), list.end(), is_text))
-    throw ConfigError("$." + key, list.dump() + " is not a list of names",
+    throw ConfigError("$." + key, json_line(list) + " is not a list of names",
                       "give a list, e.g. " + key + "=[\"" + known.front() + "\"]");
   return list.get<std::vector<std::string>>();
 }
@@ -41,7 +42,7 @@ std::vector<Stage<Interface>> stages(const Registry& registry, const Json& root,
 
 DiagnosisOptions diagnosis_options(const Configuration& configuration,
                                    const Registry& registry) {
-  const Json root = Json::parse(configuration.text());
+  const Json root = sorted_json(configuration.text());
   check_diagnosis_keys(root);
   DiagnosisOptions options;
   options.effects = stages<Effect>(registry, root, "effects");
@@ -57,7 +58,7 @@ DiagnosisOptions diagnosis_options(const Configuration& configuration,
   }
   if (root.contains("fill_gap")) {
     if (!root.at("fill_gap").is_boolean())
-      throw ConfigError("$.fill_gap", root.at("fill_gap").dump() + " is not true or false",
+      throw ConfigError("$.fill_gap", json_line(root.at("fill_gap")) + " is not true or false",
                         "give true or false");
     options.fill_gap = root.at("fill_gap").get<bool>();
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "cli/configuration/identification_configuration.hpp"
 
+#include "core/base/json.hpp"
 #include "option_reader.hpp"
 
 namespace lacuna {
@@ -20,7 +21,7 @@ void read(const Registry& registry, const Json& root, Options& options) {
 
 IdentificationOptions identification_options(const Configuration& configuration,
                                              const Registry& registry) {
-  const Json root = Json::parse(configuration.text());
+  const Json root = sorted_json(configuration.text());
   IdentificationOptions options;
   read(registry, root, options.library);
   read(registry, root, options.forms);

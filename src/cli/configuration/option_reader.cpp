@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "core/base/json.hpp"
 #include "core/base/text.hpp"
 #include "report/json/stage_json.hpp"
 
@@ -25,7 +26,8 @@ std::string OptionReader::path_of(const FieldInfo& info) const {
 
 void OptionReader::wrong_type(const FieldInfo& info, const std::string& expected,
                               const Json& value) const {
-  throw ConfigError(path_of(info), value.dump() + " is not " + expected, "give " + expected);
+  throw ConfigError(path_of(info), json_line(value) + " is not " + expected,
+                    "give " + expected);
 }
 
 double OptionReader::number(const FieldInfo& info, const Json& value) const {
@@ -84,7 +86,7 @@ void OptionReader::field(const FieldInfo& info, std::vector<std::string>& value)
   if (given->is_string()) {
     value = split_list(given->get<std::string>());
   } else if (given->is_number()) {
-    value = {given->dump()};
+    value = {json_line(*given)};
   } else if (given->is_array() && std::all_of(given->begin(), given->end(), is_text)) {
     value = given->get<std::vector<std::string>>();
   } else {
@@ -137,12 +139,12 @@ const RegistryEntry& find_entry(const Registry& registry, std::string_view kind,
 std::optional<std::string> asked_name(const Json& given, const std::string& path) {
   if (given.is_string()) return given.get<std::string>();
   if (!given.is_object())
-    throw ConfigError(path, given.dump() + " is not a stage",
+    throw ConfigError(path, json_line(given) + " is not a stage",
                       "give its name or an object such as {\"type\": NAME, OPTION: VALUE}");
   const auto type = given.find("type");
   if (type == given.end()) return std::nullopt;
   if (!type->is_string())
-    throw ConfigError(path + ".type", type->dump() + " is not a name", "give a text");
+    throw ConfigError(path + ".type", json_line(*type) + " is not a name", "give a text");
   return type->get<std::string>();
 }
 
@@ -159,7 +161,7 @@ std::shared_ptr<const StageInterface> read_stage(const Registry& registry,
   if (!entry.unavailable.empty())
     throw ConfigError(path, owner + " is unavailable: " + entry.unavailable,
                       "choose another; `lacuna list " + std::string(kind) + "` shows them");
-  Json base = name == present_name ? Json::parse(format_stage(present)) : Json::object();
+  Json base = name == present_name ? sorted_json(format_stage(present)) : Json::object();
   const Json options = given.is_object() ? given : Json::object();
   OptionReader reader(registry, std::move(base), options, path);
   auto stage = entry.make(reader);

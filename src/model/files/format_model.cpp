@@ -4,18 +4,13 @@
 #include <string>
 #include <vector>
 
+#include "core/base/json.hpp"
 #include "core/base/text.hpp"
 #include "core/statistics/determined.hpp"
 #include "lacuna/model/files/model_file.hpp"
 
 namespace lacuna {
 namespace {
-
-using OrderedJson = nlohmann::ordered_json;
-
-std::string dump(const OrderedJson& value) {
-  return value.dump(-1, ' ', false, OrderedJson::error_handler_t::replace);
-}
 
 /// A list with one element per line.
 std::string list_text(const std::vector<std::string>& elements, const std::string& indent) {
@@ -31,7 +26,7 @@ std::string quantities_text(const std::vector<Quantity>& quantities) {
   for (const Quantity& quantity : quantities) {
     OrderedJson object{{"name", quantity.name}, {"unit", quantity.unit}};
     if (quantity.hold) object["hold"] = to_string(*quantity.hold);
-    elements.push_back(dump(object));
+    elements.push_back(json_line(object));
   }
   return list_text(elements, "  ");
 }
@@ -52,7 +47,7 @@ std::string summand_text(const WeightedTerm& summand) {
   OrderedJson object{{"term", summand.term.name()}, {"coefficient", summand.coefficient}};
   if (summand.fixed) object["fixed"] = true;
   add_errors(summand.coefficient, summand, object);
-  return dump(object);
+  return json_line(object);
 }
 
 std::string parameter_text(const Parameter& parameter) {
@@ -67,7 +62,7 @@ std::string parameter_text(const Parameter& parameter) {
   if (const auto& spread = parameter.varies)
     object["varies"] = {{spread->by_factor ? "factor" : "deviation", spread->size}};
   add_errors(parameter.value, parameter, object);
-  return dump(object);
+  return json_line(object);
 }
 
 OrderedJson noise_json(const NoiseLaw& law) {
@@ -86,7 +81,7 @@ std::string output_text(const Output& output) {
                      {"expression", output.formula.to_string()},
                      {"unit", output.unit}};
   if (output.noise) object["noise"] = noise_json(*output.noise);
-  return dump(object);
+  return json_line(object);
 }
 
 std::string event_json(const Event& event) {
@@ -102,7 +97,7 @@ std::string event_json(const Event& event) {
   }
   for (const Reset& reset : event.resets) set[reset.state] = reset.value.to_string();
   object["set"] = std::move(set);
-  return dump(object);
+  return json_line(object);
 }
 
 std::string initial_text(const InitialValue& initial) {
@@ -110,7 +105,7 @@ std::string initial_text(const InitialValue& initial) {
   if (initial.fixed) object["fixed"] = true;
   if (initial.deviation) object["deviation"] = *initial.deviation;
   if (initial.time) object["at"] = *initial.time;
-  return dump(object);
+  return json_line(object);
 }
 
 /// The sections that not every model has.
@@ -123,7 +118,8 @@ std::string further_sections(const SystemModel& system) {
   for (const Output& output : model.outputs()) outputs.push_back(output_text(output));
   for (std::size_t k = 0; k < model.states().size(); ++k)
     if (const auto& value = model.initial()[k])
-      initial.push_back(dump(model.states()[k].name) + ": " + initial_text(*value));
+      initial.push_back(json_line(OrderedJson(model.states()[k].name)) + ": " +
+                        initial_text(*value));
   if (!parameters.empty())
     text.append(",\n \"parameters\": ").append(list_text(parameters, "  "));
   if (!outputs.empty()) text.append(",\n \"outputs\": ").append(list_text(outputs, "  "));
@@ -139,7 +135,7 @@ std::string equation_text(const std::string& state, const Equation& equation) {
   std::vector<std::string> elements;
   for (const WeightedTerm& summand : equation) elements.push_back(summand_text(summand));
   std::string text = "{\"state\": ";
-  text.append(dump(state)).append(", \"terms\": ");
+  text.append(json_line(OrderedJson(state))).append(", \"terms\": ");
   return text.append(list_text(elements, "    ")).append("}");
 }
 
@@ -151,7 +147,7 @@ std::string format_model(const SystemModel& system) {
   for (std::size_t i = 0; i < model.equations().size(); ++i)
     equations.push_back(equation_text(model.states()[i].name, model.equations()[i]));
   std::string text = "{\"format\": \"lacuna.model/1\",\n \"time_unit\": ";
-  text.append(dump(model.time_unit()));
+  text.append(json_line(OrderedJson(model.time_unit())));
   if (model.is_map()) text.append(",\n \"time\": \"discrete\"");
   text.append(",\n \"states\": ").append(quantities_text(model.states()));
   text.append(",\n \"inputs\": ").append(quantities_text(system.inputs()));

@@ -3,6 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "core/base/json.hpp"
 #include "lacuna/core/base/options.hpp"
 
 namespace lacuna {
@@ -58,7 +59,7 @@ Json stage_to_json(const StageInterface& stage) {
 }  // namespace
 
 std::string format_stage(const StageInterface& stage) {
-  return stage_to_json(stage).dump(-1, ' ', false, Json::error_handler_t::replace);
+  return json_line(stage_to_json(stage));
 }
 
 std::string format_pipeline(const Pipeline& pipeline) {
@@ -69,7 +70,7 @@ std::string format_pipeline(const Pipeline& pipeline) {
   object["regressor"] = stage_to_json(*pipeline.regressor);
   object["pruner"] = stage_to_json(*pipeline.pruner);
   object["refiner"] = stage_to_json(*pipeline.refiner);
-  return object.dump(-1, ' ', false, Json::error_handler_t::replace);
+  return json_line(object);
 }
 
 }  // namespace lacuna

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "core/base/json.hpp"
 #include "folded_text.hpp"
 #include "readable.hpp"
 
@@ -79,7 +80,7 @@ std::string format_json(const ComparisonReport& report) {
          {"agree", m.agree ? Json(*m.agree) : Json()},
          {"note", m.note}});
   json["notes"] = report.notes;
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return json_lines(json);
 }
 
 }  // namespace lacuna

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "core/base/json.hpp"
 #include "core/base/text.hpp"
 #include "folded_text.hpp"
 #include "readable.hpp"
@@ -138,7 +139,7 @@ std::string format_json(const DataSummary& summary) {
     json["hints"].push_back(
         {{"kind", to_string(hint.kind)}, {"message", hint.message}, {"remedy", hint.remedy}});
   json["notes"] = summary.notes;
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return json_lines(json);
 }
 
 std::string data_line(const Dataset& data, Index known) {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "core/base/json.hpp"
 #include "core/statistics/determined.hpp"
 #include "diagnosis_sentences.hpp"
 #include "lacuna/model/files/model_file.hpp"
@@ -258,14 +259,14 @@ std::string format_json(const Diagnosis& diagnosis, const SystemModel& augmented
   json["gap"] = diagnosis.gap ? gap_json(*diagnosis.gap) : Json();
   json["remaining"] = remaining_json(diagnosis);
   json["unnamed"] = unnamed_json(diagnosis);
-  json["augmented_model"] = Json::parse(format_model(augmented));
+  json["augmented_model"] = ordered_json(format_model(augmented));
   json["noise"] = noise_json(diagnosis);
   json["rounds"] = rounds_json(diagnosis);
   json["rivals"] = rivals_json(diagnosis);
   json["stages"] = stages_json(diagnosis.stages);
   json["answer_from"] = answer_from(diagnosis.stages);
   json["notes"] = diagnosis.notes;
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return json_lines(json);
 }
 
 }  // namespace lacuna

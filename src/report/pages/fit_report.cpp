@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "core/base/json.hpp"
 #include "core/base/text.hpp"
 #include "folded_text.hpp"
 #include "lacuna/core/statistics/interval.hpp"
@@ -362,7 +363,7 @@ std::string name_of(Standing standing) {
 std::string format_json(const Fit& fit) {
   Json json;
   json["format"] = "lacuna.fit/1";
-  json["model"] = Json::parse(format_model(fit.model));
+  json["model"] = ordered_json(format_model(fit.model));
   json["parameters"] = numbers_json(fit);
   json["correlations"] = Json::array();
   for (const FitCorrelation& pair : fit.correlations)
@@ -396,7 +397,7 @@ std::string format_json(const Fit& fit) {
   json["stages"] = stages_json(fit.stages);
   json["answer_from"] = answer_from(fit.stages);
   json["notes"] = fit.notes;
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return json_lines(json);
 }
 
 std::string format_text(const Fit& fit) {

@@ -6,11 +6,12 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "core/base/json.hpp"
 #include "core/base/text.hpp"
 #include "diagnosis_sentences.hpp"
+#include "folded_text.hpp"
 #include "lacuna/core/base/error.hpp"
 #include "lacuna/report/pages/diagnosis_report.hpp"
-#include "folded_text.hpp"
 
 namespace lacuna {
 namespace {
@@ -54,7 +55,7 @@ Json json_of(const FleetAnswer& answer) {
   return {{"record", answer.record},
           {"headline", answer.headline},
           {"error", nullptr},
-          {"diagnosis", Json::parse(answer.diagnosis)}};
+          {"diagnosis", ordered_json(answer.diagnosis)}};
 }
 
 }  // namespace
@@ -80,16 +81,15 @@ FleetAnswer fleet_failure(const std::string& record, const std::string& error) {
 }
 
 std::string packed(const FleetAnswer& answer) {
-  if (answer.error) return Json::array({answer.record, *answer.error}).dump();
+  if (answer.error) return json_line(Json::array({answer.record, *answer.error}));
   const Json gap = answer.gap ? Json(*answer.gap) : Json();
-  return Json::array({answer.record, answer.headline, answer.verdict, answer.effects, gap,
-                      answer.diagnosis})
-      .dump();
+  return json_line(Json::array(
+      {answer.record, answer.headline, answer.verdict, answer.effects, gap, answer.diagnosis}));
 }
 
 FleetAnswer unpacked(const std::string& text) {
   try {
-    const Json all = Json::parse(text);
+    const Json all = ordered_json(text);
     if (all.size() == 2) return fleet_failure(all.at(0), all.at(1));
     FleetAnswer answer{.record = all.at(0),
                        .headline = all.at(1),
@@ -121,7 +121,7 @@ std::string format_json(const std::vector<FleetAnswer>& fleet) {
     effects.push_back({{"effect", effect}, {"records", count}});
   const Json fleet_json = {
       {"format", "lacuna.fleet/1"}, {"answers", answers}, {"effects", effects}};
-  return fleet_json.dump(1) + "\n";
+  return json_lines(fleet_json, 1);
 }
 
 }  // namespace lacuna

@@ -3,8 +3,9 @@
 
 #include <nlohmann/json.hpp>
 
-#include "lacuna/model/files/model_file.hpp"
+#include "core/base/json.hpp"
 #include "invariant_text.hpp"
+#include "lacuna/model/files/model_file.hpp"
 #include "report/json/adequacy_json.hpp"
 #include "report/json/stage_json.hpp"
 #include "report/json/stages_json.hpp"
@@ -134,7 +135,7 @@ Json trapping_to_json(const TrappingAnswer& answer) {
 }
 
 Json alternative_to_json(const AlternativeModel& alternative) {
-  return {{"model", Json::parse(format_model(alternative.model))},
+  return {{"model", ordered_json(format_model(alternative.model))},
           {"criterion", alternative.criterion},
           {"weight", alternative.weight},
           {"held_out_error", optional_to_json(alternative.held_out)},
@@ -148,13 +149,13 @@ std::string format_json(const IdentificationReport& report) {
   const IdentificationResult& result = report.result;
   Json json;
   json["format"] = "lacuna.identification/1";
-  json["model"] = Json::parse(format_model(result.model));
+  json["model"] = ordered_json(format_model(result.model));
   json["library_alone"] =
-      result.library_alone ? Json::parse(format_model(*result.library_alone)) : Json(nullptr);
-  json["dead_times"] = list_to_json(result.dead_times, dead_time_to_json);
+      result.library_alone ? ordered_json(format_model(*result.library_alone)) : Json(nullptr);
+  json[\"dead_times\"] = list_to_json(result.dead_times, dead_time_to_json);
   json["noise"] = noise_to_json(result);
-  json["pipeline"] = {{"asked", Json::parse(report.asked)},
-                      {"used", Json::parse(format_pipeline(report.pipeline))}};
+  json["pipeline"] = {{"asked", ordered_json(report.asked)},
+                      {"used", ordered_json(format_pipeline(report.pipeline))}};
   json["trail"] = list_to_json(result.trail, entry_to_json);
   json["fit"] = list_to_json(result.fit, fit_to_json);
   json["path"] = list_to_json(result.path,
@@ -172,7 +173,7 @@ std::string format_json(const IdentificationReport& report) {
   json["stages"] = stages_json(result.stages);
   json["answer_from"] = answer_from(result.stages);
   json["warnings"] = result.warnings;
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return json_lines(json);
 }
 
 }  // namespace lacuna

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "core/base/json.hpp"
 #include "core/base/text.hpp"
 #include "folded_text.hpp"
 
@@ -96,7 +97,7 @@ std::string format_json(const RivalComparison& comparison) {
          {"converged", rival.converged},
          {"behind_sigma", number(rival.behind)},
          {"tied", rival.is_tied}});
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return json_lines(json);
 }
 
 }  // namespace lacuna

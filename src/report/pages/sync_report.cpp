@@ -3,6 +3,7 @@
 
 #include <sstream>
 
+#include "core/base/json.hpp"
 #include "core/base/text.hpp"
 #include "report/json/adequacy_json.hpp"
 #include "report/json/stages_json.hpp"
@@ -67,7 +68,7 @@ std::string format_json(const SyncReport& report) {
   json["format"] = "lacuna.sync/1";
   json.update(sync_to_json(report));
   json["stages"] = stages_json(report.result.stages);
-  return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+  return json_lines(json);
 }
 
 std::string format_text(const SyncReport& report) {

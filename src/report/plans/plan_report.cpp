@@ -4,6 +4,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "core/base/json.hpp"
 #include "core/base/text.hpp"
 #include "lacuna/core/statistics/interval.hpp"
 #include "plan_parts.hpp"
@@ -119,7 +120,7 @@ std::string format_json(const PlanReport& report) {
             {"stages", stages_json(plan.stages)}};
   for (const PlannedRun& run : plan.runs)
     json["runs"].push_back(run_json(report.problem, run));
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return json_lines(json);
 }
 
 }  // namespace lacuna
