@@ -152,7 +152,7 @@ std::string format_json(const IdentificationReport& report) {
   json["model"] = ordered_json(format_model(result.model));
   json["library_alone"] =
       result.library_alone ? ordered_json(format_model(*result.library_alone)) : Json(nullptr);
-  json[\"dead_times\"] = list_to_json(result.dead_times, dead_time_to_json);
+  json["dead_times"] = list_to_json(result.dead_times, dead_time_to_json);
   json["noise"] = noise_to_json(result);
   json["pipeline"] = {{"asked", ordered_json(report.asked)},
                       {"used", ordered_json(format_pipeline(report.pipeline))}};
