@@ -89,8 +89,8 @@ TEST(HeldInputs, AreJudgedAnewWhereSomethingIsLeftBesideTheEffects) {
   EXPECT_EQ(found.judged.trail.front().hypothesis, "input-hold");
 }
 
-/// With a square of the force nothing disturbs the model: under another hold of the force only as
-/// plain effects are sought.
+/// With a square of the force nothing disturbs the model: under another hold of the force only
+/// as plain effects are sought.
 TEST(HeldInputs, AreBoundedWhereNothingIsLeftToExplain) {
   const auto square = [](double t, double, double) {
     const double force =
@@ -111,7 +111,8 @@ TEST(HeldInputs, AreBoundedWhereNothingIsLeftToExplain) {
   EXPECT_GT(bounded->value, bounded->threshold);
 }
 
-/// A filter of first order behind a smooth input that comes late: its exact answer to two tones.
+/// A filter of first order behind a smooth input that comes late: its exact answer to five
+/// tones, of which no single one stands for the delay.
 Dataset behind_a_late_input(const OdeModel& filter, double late) {
   constexpr double kStep = 0.1, kRate = 0.5;  // of the filter
   Random random(8);
@@ -119,7 +120,7 @@ Dataset behind_a_late_input(const OdeModel& filter, double late) {
   record.time = Vector::LinSpaced(800, 0.0, 799 * kStep);
   record.states = Matrix::Zero(800, 1);
   record.inputs = Matrix::Zero(800, 1);
-  for (const double w : {0.7, 1.9}) {
+  for (const double w : {0.4, 0.7, 1.3, 1.9, 2.6}) {
     const double gain = kRate / std::hypot(kRate, w), lag = std::atan2(w, kRate);
     record.inputs.col(0).array() += (w * record.time.array()).sin();
     record.states.col(0).array() += gain * (w * (record.time.array() - late) - lag).sin();
@@ -144,7 +145,7 @@ TEST(HeldInputs, AreAskedAnewWhereNoSampleShowsThatTheyAreHeld) {
   EXPECT_EQ(found.model->inputs()[0].hold, Hold::Smooth);
   ASSERT_EQ(found.judged.best.named.size(), 1u);
   EXPECT_EQ(found.judged.best.named[0].name, "delay");
-  EXPECT_NEAR(found.judged.best.explanation.effects[0].shapes[0], 0.06, 5e-4);
+  EXPECT_NEAR(found.judged.best.explanation.effects[0].shapes[0], 0.06, 6e-4);
 }
 
 TEST(HeldInputs, AreNotTakenForMoreEffectsWhereFewerLeaveNothing) {
