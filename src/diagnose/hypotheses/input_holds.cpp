@@ -249,12 +249,8 @@ RivalHolds rival_holds(const Problem& problem, const std::vector<OpenInput>& ope
     // What the hold explains of a model that lacks an effect settles nothing where the effect
     // explains more, unless nothing is left to explain and nothing stands for the hold. Half a
     // step of delay that no repeated sample shows settles nothing beside an effect of the input.
-    // A tone of time may be one of the input's.
-    const bool of_time = std::any_of(
-        effects.begin(), effects.end(),
-        [](const FittedEffect& effect) { return effect.candidate.depends_on("t"); });
-    const bool unshown = hold == Hold::Zero && (of_input || of_time) &&
-                         !repeats_samples(problem.records.data, input);
+    const bool unshown =
+        hold == Hold::Zero && of_input && !repeats_samples(problem.records.data, input);
     if (better.empty() && (unshown || (lead < explained && (!complete || of_input))))
       better.push_back(with_hold(problem.nominal, input, second));
     if (!better.empty() && hold == shown_hold(problem.records.data, input) &&

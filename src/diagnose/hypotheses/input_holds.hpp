@@ -56,7 +56,7 @@ struct RivalHolds {
 ///   follows the records from their first samples on and needs no disturbance, and none of them
 ///   is of that input: no other hold has anything left to explain;
 /// - the second one of an input that is taken for held though no sample repeats the one before,
-///   where an effect is of that input or of time: the hold may stand for a part of its delay.
+///   where an effect is of that input: the hold may stand for a part of its delay.
 /// None of an input with the hold that its samples show, where it is recorded late (InputSkew).
 /// @param problem its model has the chosen holds.
 RivalHolds rival_holds(const Problem& problem, const std::vector<OpenInput>& open,
