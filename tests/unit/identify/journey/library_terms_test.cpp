@@ -7,7 +7,7 @@
 
 #include "core/base/random.hpp"
 #include "identify/journey/centred_library.hpp"
-#include "identify/journey/distinct_powers.hpp"
+#include "identify/journey/fitting_library.hpp"
 #include "identify/journey/lower_terms.hpp"
 #include "identify/journey/plain_terms.hpp"
 #include "lacuna/bases/expressions.hpp"
