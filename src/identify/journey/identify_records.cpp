@@ -145,14 +145,19 @@ bool falls_short(const Validation& validation) {
          validation.verdict == ValidationVerdict::WrongLibrary;
 }
 
+/// The records by which a model is judged: an excerpt of long ones, all of a map.
+const Dataset& judged_records(const Identification& found) {
+  return found.result.model.is_map() ? *found.records.in_memory() : found.records.excerpt();
+}
+
 /// A model judged on samples that it was not fitted to.
 /// @throws DataError where they are too few for that.
-std::optional<Validation> validated(const IdentificationTask& task, Identification& found,
+std::optional<Validation> validated(const IdentificationTask& task,
+                                    std::optional<Dataset> held_out, Identification& found,
                                     const RunContext& context) {
   IdentificationResult& result = found.result;
   const bool is_map = result.model.is_map();
-  const Dataset& data = is_map ? *found.records.in_memory() : found.records.excerpt();
-  std::optional<Dataset> held_out = held_out_records(task, result.model, data);
+  const Dataset& data = judged_records(found);
   const KnownNoise noise =
       is_map ? std::nullopt : KnownNoise(found.records.noise(context.threads));
   std::optional<Validation> validation;
@@ -168,7 +173,7 @@ void look_further(const IdentificationTask& task, std::optional<Validation> vali
                   Identification& found, const RunContext& context) {
   IdentificationResult& result = found.result;
   const bool is_map = result.model.is_map();
-  const Dataset& data = is_map ? *found.records.in_memory() : found.records.excerpt();
+  const Dataset& data = judged_records(found);
   const KnownNoise noise =
       is_map ? std::nullopt : KnownNoise(found.records.noise(context.threads));
   if (validation && falls_short(*validation) && !is_map)
@@ -318,15 +323,20 @@ void judge_equations(const Prepared& prepared, const RecordStream& recorded,
   const auto task = [&] {
     return times.size() > 0 ? with_held_out_delayed(prepared.task, times) : prepared.task;
   };
+  const auto held_out = [&] {
+    return held_out_records(task(), found.result.model, judged_records(found));
+  };
+  std::optional<Dataset> records = held_out();  // what is wrong with them is an error
   try {
-    std::optional<Validation> validation = validated(task(), found, context);
+    std::optional<Validation> validation =
+        validated(task(), std::move(records), found, context);
     if (validation && may_be_plainer(*validation, found.result) &&
         take_plain_structure(prepared, recorded,
                              validation->verdict == ValidationVerdict::FitsToNoise, found,
                              times, context)) {
       std::erase_if(found.result.stages,
                     [](const StageDone& stage) { return stage.name == kValidationStage; });
-      validation = validated(task(), found, context);
+      validation = validated(task(), held_out(), found, context);
     }
     look_further(task(), std::move(validation), found, context);
   } catch (const DataError& error) {
