@@ -86,7 +86,11 @@ std::string through_identification(const std::string& kind, const std::string& j
   configuration.merge_text("{\"" + kind + "\": " + json + "}", "t");
   const IdentificationOptions options =
       identification_options(configuration, default_registry());
+  if (kind == "library") return format_stage(Rules<LibraryOptions>(options.library));
   if (kind == "forms") return format_stage(Rules<FormOptions>(options.forms));
+  if (kind == "dead-time") return format_stage(Rules<DeadTimeOptions>(options.dead_time));
+  if (kind == "plain-structure")
+    return format_stage(Rules<PlainStructureOptions>(options.plain_structure));
   if (kind == "validation") return format_stage(Rules<ValidationOptions>(options.validation));
   if (kind == "relations") return format_stage(Rules<RelationOptions>(options.relations));
   if (kind == "map") return format_stage(Rules<MapHintOptions>(options.map));
@@ -95,8 +99,9 @@ std::string through_identification(const std::string& kind, const std::string& j
 }
 
 bool is_of_identification(const std::string& kind) {
-  return kind == "forms" || kind == "validation" || kind == "relations" || kind == "advice" ||
-         kind == "map" || kind == "sync";
+  return kind == "library" || kind == "forms" || kind == "dead-time" ||
+         kind == "plain-structure" || kind == "validation" || kind == "relations" ||
+         kind == "advice" || kind == "map" || kind == "sync";
 }
 
 bool is_of_diagnosis(const std::string& kind) {

@@ -38,9 +38,9 @@ const std::vector<std::string> kStageKeys = {
     "basis", "formulation", "differentiator", "filter", "regressor", "pruner", "refiner"};
 
 /// What `identify` does besides a pipeline: options that change no stage.
-const std::vector<std::string> kRuleKeys = {
-    "library",    "forms",     "dead_time", "plain_structure", "validation",
-    "relations",  "advice",    "map",       "sync"};
+const std::vector<std::string> kRuleKeys = {"library",         "forms",      "dead-time",
+                                            "plain-structure", "validation", "relations",
+                                            "advice",          "map",        "sync"};
 
 bool is_in(const std::vector<std::string>& list, const std::string& key) {
   return std::find(list.begin(), list.end(), key) != list.end();
@@ -209,8 +209,8 @@ EquationConstraint read_constraint(const std::string& text, const std::string& w
   if (!value || !std::isfinite(*value))
     throw ConfigError(where, std::string("what stands behind ") + text[sign] + " is no number",
                       "write e.g. \"w: u = 1\"");
-  const bool has_two = text[sign] == '=' && sign > 0 && (text[sign - 1] == '<' ||
-                                                         text[sign - 1] == '>');
+  const bool has_two =
+      text[sign] == '=' && sign > 0 && (text[sign - 1] == '<' || text[sign - 1] == '>');
   const std::size_t first = has_two ? sign - 1 : sign;
   EquationConstraint constraint{{}, *value, relation_of(text[first])};
   for (const std::string& summand : split_list(std::string_view(text).substr(0, first)))

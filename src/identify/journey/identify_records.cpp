@@ -11,6 +11,7 @@
 #include "identify/dead_time/delayed_inputs.hpp"
 #include "identify/forms_beside/identify_with_forms.hpp"
 #include "identify/hidden_state/identify_hidden.hpp"
+#include "identify/pipeline/given_rates.hpp"
 #include "identify/plain_structure/plain_equations.hpp"
 #include "identify/validation/validate.hpp"
 #include "lacuna/dynamics/integration/automatic.hpp"
@@ -296,14 +297,13 @@ bool take_plain_structure(const Prepared& prepared, const RecordStream& recorded
   const Dataset* data = recorded.in_memory();
   if (data == nullptr || prepared.task.measured != Measured::AllStates ||
       prepared.task.library != LibraryScope::Extended || found.result.model.is_map() ||
-      !free_runs_decide(*data))
+      !free_runs_decide(*data) || (fits && has_given_rates(*data)))
     return false;
   bool is_taken = false;
   run_unless_quick(prepared.task, found.result, kPlainStructureStage, [&] {
     auto plain = plain_equations(
         *data, prepared.chosen, prepared.task.options.dead_time,
-        {found.result, times, fits ? 0.0 : prepared.task.options.plain_structure.least_gain},
-        context);
+        {found.result, times, fits, prepared.task.options.plain_structure.least_gain}, context);
     if (!plain) return;
     plain->result.stages = std::move(found.result.stages);
     plain->result.dead_times = std::move(plain->found);

@@ -62,8 +62,9 @@ std::optional<LateEquations> plain_equations(const Dataset& data, const Pipeline
   const Vector own = found.times.size() > 0 ? found.times : Vector::Zero(times.size());
   const double without = largest(times) + 2.0 * median_step(data);  // what refining may add
   const TermLibrary library = pipeline.basis->library(variables_of(data));
-  const auto plain = plain_structure(with_inputs_delayed(data, times, without), library,
-                                     found.result.model, found.least, context);
+  const auto plain =
+      plain_structure(with_inputs_delayed(data, times, without), library, found.result.model,
+                      found.fits ? 0.0 : found.least, context);
   if (!plain) return std::nullopt;
   LateEquations result{times, found.result.dead_times, found.result};
   if (found.times.size() == 0 && largest(times) > 0.0) {
@@ -76,7 +77,9 @@ std::optional<LateEquations> plain_equations(const Dataset& data, const Pipeline
                             in_stretches(with_inputs_delayed(data, own, without)), context);
   run.numbers += result.found.size();
   before.numbers += found.result.dead_times.size();
-  if (!is_better(run, before, found.least)) return std::nullopt;
+  const double least = found.fits ? 0.0 : found.least;
+  if (found.fits && run.numbers >= before.numbers) return std::nullopt;
+  if (!is_better(run, before, least)) return std::nullopt;
   const OdeModel model = with_readable_widths(run);
   Pipeline from_there = pipeline;
   from_there.start = model;

@@ -11,8 +11,9 @@ namespace lacuna {
 /// Equations that do not predict, and the dead times that they were found with.
 struct FoundEquations {
   const IdentificationResult& result;
-  Vector times;        ///< T of each input; empty where all act at once
-  double least = 0.0;  ///< what is_worth() asks of a number more
+  Vector times;       ///< T of each input; empty where all act at once
+  bool fits = false;  ///< whether they predict to the noise: then only what is plainer is taken
+  double least = 0.0;  ///< of is_worth(), where they do not
 };
 
 /// Whether free runs can decide about records: those of autonomous systems of three states and

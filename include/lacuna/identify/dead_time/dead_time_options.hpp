@@ -10,7 +10,7 @@ namespace lacuna {
 
 /// How dead times of inputs are sought.
 struct DeadTimeOptions {
-  static constexpr StageInfo kInfo{"dead_time", "How dead times of inputs are sought", ""};
+  static constexpr StageInfo kInfo{"dead-time", "How dead times of inputs are sought", ""};
 
   double longest = 0.05;
 

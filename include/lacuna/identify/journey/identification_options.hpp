@@ -29,8 +29,8 @@ struct LibraryOptions {
 
 /// How plain a structure is where nothing fits to the noise.
 struct PlainStructureOptions {
-  static constexpr StageInfo kInfo{
-      "plain_structure", "What a term is worth where nothing fits to the noise", ""};
+  static constexpr StageInfo kInfo{"plain-structure",
+                                   "What a term is worth where nothing fits to the noise", ""};
 
   double least_gain = 0.2;
 
