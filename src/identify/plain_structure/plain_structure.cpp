@@ -338,13 +338,14 @@ std::optional<FreeRun> searched_from(const PlainSearch& search, const SystemMode
   constexpr int kRounds = 4;  // a bound of the work: what takes more terms is not plain
   FreeRun best = search.run(start);
   if (!best.is_finite()) return std::nullopt;
-  best = pruned(search, std::move(best));
+  // Damping is worth little beside a wrong restoring force: nothing leaves before something
+  // came.
   for (int round = 0; round < kRounds && !search.is_late(); ++round) {
     auto next = extended(search, best);
     if (!next) break;
     best = pruned(search, *std::move(next));
   }
-  return best;
+  return pruned(search, std::move(best));
 }
 
 }  // namespace
