@@ -94,15 +94,19 @@ GivenTimes given_times(const Dataset& data, const DeadTimeOptions& options) {
 
 std::vector<DeadTime> refined_dead_times(const Dataset& data, const OdeModel& model,
                                          const Vector& times, const GivenTimes& given,
-                                         const RunContext& context) {
+                                         const KnownNoise& noise, const RunContext& context) {
   constexpr Index kSamples = 10000;  // a bound of the work
   const double step = median_step(data);
   std::vector<FittedParameter> numbers;
   try {
-    numbers =
-        fit(with_free_times(model, times, given, step), thinned(data, kSamples), {},
-            {.restarts = 0, .starts = 0, .effort = Thoroughness::Quick, .rough = true}, context)
-            .numbers;
+    numbers = fit(with_free_times(model, times, given, step), thinned(data, kSamples), {},
+                  {.restarts = 0,
+                   .starts = 0,
+                   .effort = Thoroughness::Quick,
+                   .rough = true,
+                   .noise = noise},
+                  context)
+                  .numbers;
   } catch (const DataError&) {
   }
   std::vector<DeadTime> refined;
@@ -139,7 +143,8 @@ Vector times_of(const Dataset& data, const std::vector<DeadTime>& found) {
 
 std::optional<LateEquations> equations_with_dead_times(
     const Dataset& data, const Pipeline& pipeline, const DeadTimeOptions& options,
-    const IdentificationResult& at_once, const FindEquations& find, const RunContext& context) {
+    const IdentificationResult& at_once, const FindEquations& find, const KnownNoise& noise,
+    const RunContext& context) {
   const GivenTimes given = given_times(data, options);
   const bool all_given = std::all_of(given.begin(), given.end(),
                                      [](const auto& time) { return time.has_value(); });
@@ -150,7 +155,7 @@ std::optional<LateEquations> equations_with_dead_times(
   if (times.maxCoeff() <= 0.0) return std::nullopt;
   const double without = times.maxCoeff() + 2.0 * median_step(data);  // what refining may add
   LateEquations late{times, {}, find(with_inputs_delayed(data, times, without))};
-  late.found = refined_dead_times(data, late.result.model, times, given, context);
+  late.found = refined_dead_times(data, late.result.model, times, given, noise, context);
   if (!are_determined(late.found)) return std::nullopt;
   if (const Vector better = times_of(data, late.found); better != late.times) {
     late.times = better;
@@ -158,7 +163,8 @@ std::optional<LateEquations> equations_with_dead_times(
   }
   if (all_given) return late;
   const auto run = [&](const OdeModel& model, const Vector& delays) {
-    return free_run(SystemModel(model), with_inputs_delayed(data, delays, without), context);
+    return free_run(SystemModel(model), with_inputs_delayed(data, delays, without), noise,
+                    context);
   };
   FreeRun with = run(late.result.model, late.times);
   with.numbers += late.found.size();

@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "lacuna/data/records/noise.hpp"
 #include "lacuna/identify/dead_time/dead_time_options.hpp"
 #include "lacuna/identify/pipeline/pipeline.hpp"
 
@@ -33,7 +34,7 @@ GivenTimes given_times(const Dataset& data, const DeadTimeOptions& options);
 /// input.
 std::vector<DeadTime> refined_dead_times(const Dataset& data, const OdeModel& model,
                                          const Vector& times, const GivenTimes& given,
-                                         const RunContext& context);
+                                         const KnownNoise& noise, const RunContext& context);
 
 /// T of each input, 0 of those that act at once.
 Vector times_of(const Dataset& data, const std::vector<DeadTime>& found);
@@ -53,6 +54,7 @@ bool are_determined(const std::vector<DeadTime>& found);
 ///   longer than half of every record.
 std::optional<LateEquations> equations_with_dead_times(
     const Dataset& data, const Pipeline& pipeline, const DeadTimeOptions& options,
-    const IdentificationResult& at_once, const FindEquations& find, const RunContext& context);
+    const IdentificationResult& at_once, const FindEquations& find, const KnownNoise& noise,
+    const RunContext& context);
 
 }  // namespace lacuna

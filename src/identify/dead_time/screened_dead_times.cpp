@@ -27,7 +27,8 @@ class DelayedRows {
       : data_(data),
         half_(half),
         longest_(longest),
-        form_(*pipeline.formulation),
+        // Derivatives are given: what it chooses for differences is of no account.
+        form_(fitted_to(pipeline.formulation, data, Vector::Zero(data.state_count()))),
         library_(equation_libraries(pipeline.basis->library(variables_of(data)), data, pipeline)
                      .library),
         context_(context) {}
@@ -40,7 +41,7 @@ class DelayedRows {
   /// Sum over equations of n ln(residual^2), less what it is without any term.
   double left(const Vector& times) const {
     context_.check_stop();
-    const LeastSquaresSystem system = form_.assemble(
+    const LeastSquaresSystem system = form_->assemble(
         averaged(with_inputs_delayed(data_, times, longest_), half_), library_, context_);
     TermSet all(static_cast<std::size_t>(library_.size()));
     std::iota(all.begin(), all.end(), Index{0});
@@ -59,7 +60,7 @@ class DelayedRows {
   const Dataset& data_;
   Index half_;
   double longest_;
-  const Formulation& form_;
+  Stage<Formulation> form_;
   TermLibrary library_;
   const RunContext& context_;
 };

@@ -37,13 +37,18 @@ double independent_samples(const Fit& run) {
 
 }  // namespace
 
-FreeRun free_run(const SystemModel& system, const Dataset& data, const RunContext& context) {
-  constexpr Index kSamples = 10000;  // a bound of the work
+FreeRun free_run(const SystemModel& system, const Dataset& data, const KnownNoise& noise,
+                 const RunContext& context) {
+  constexpr Index kSamples = 4000;  // a bound of the work
   const Dataset records = thinned(data, kSamples);
   try {
-    const Fit run = fit(
-        system, records, {},
-        {.restarts = 0, .starts = 0, .effort = Thoroughness::Quick, .rough = true}, context);
+    const Fit run = fit(system, records, {},
+                        {.restarts = 0,
+                         .starts = 0,
+                         .effort = Thoroughness::Quick,
+                         .rough = true,
+                         .noise = noise},
+                        context);
     FreeRun result{run.model, -2.0 * run.log_likelihood, independent_samples(run),
                    run.numbers.size()};
     for (const FittedParameter& number : run.numbers)

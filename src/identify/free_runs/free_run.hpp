@@ -7,6 +7,7 @@
 
 #include "lacuna/core/base/run_context.hpp"
 #include "lacuna/data/records/dataset.hpp"
+#include "lacuna/data/records/noise.hpp"
 #include "lacuna/model/equations/system_model.hpp"
 
 namespace lacuna {
@@ -28,8 +29,10 @@ struct FreeRun {
 /// those of a model that lacks something are, are worth n (1 - rho) / (1 + rho) samples
 /// (Bartlett, J. R. Stat. Soc. 98 (1935) 536). Where no free run is finite the deviance is
 /// infinite.
-/// @param data records that models are compared on; of long ones a part.
-FreeRun free_run(const SystemModel& system, const Dataset& data, const RunContext& context);
+/// @param data records that models are compared on; of long ones a part. @param noise of its
+/// states, where it is known.
+FreeRun free_run(const SystemModel& system, const Dataset& data, const KnownNoise& noise,
+                 const RunContext& context);
 
 /// Whether a model is better than one with fewer parameters: its deviance is smaller by more
 /// than ln n for each parameter more (Schwarz), n and the deviance those of as many samples as

@@ -245,9 +245,9 @@ Vector take_dead_times(const Prepared& prepared, Identification& found,
   Vector times;
   const auto search = [&] {
     const Dataset& data = *found.records.in_memory();
-    auto late =
-        equations_with_dead_times(data, prepared.task.pipeline, prepared.task.options.dead_time,
-                                  found.result, find, context);
+    auto late = equations_with_dead_times(
+        data, prepared.task.pipeline, prepared.task.options.dead_time, found.result, find,
+        KnownNoise(found.records.noise(context.threads)), context);
     if (!late) return;
     times = late->times;
     late->result.stages = std::move(found.result.stages);
@@ -275,6 +275,7 @@ IdentificationTask with_held_out_delayed(IdentificationTask task, const Vector& 
 /// its affine law and is another one.
 bool may_be_plainer(const Validation& validation, const IdentificationResult& result) {
   if (validation.verdict != ValidationVerdict::FitsToNoise) return true;
+  if (result.library_alone) return false;
   const OdeModel& model = result.model;
   const std::size_t affine = 1 + model.states().size() + model.inputs().size();
   const auto is_affine = [](const WeightedTerm& summand) {
@@ -303,7 +304,8 @@ bool take_plain_structure(const Prepared& prepared, const RecordStream& recorded
   run_unless_quick(prepared.task, found.result, kPlainStructureStage, [&] {
     auto plain = plain_equations(
         *data, prepared.chosen, prepared.task.options.dead_time,
-        {found.result, times, fits, prepared.task.options.plain_structure.least_gain}, context);
+        {found.result, times, fits, prepared.task.options.plain_structure.least_gain},
+        KnownNoise(recorded.noise(context.threads)), context);
     if (!plain) return;
     plain->result.stages = std::move(found.result.stages);
     plain->result.dead_times = std::move(plain->found);

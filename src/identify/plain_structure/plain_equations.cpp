@@ -25,10 +25,11 @@ Vector screened(const Dataset& data, const Pipeline& pipeline, const DeadTimeOpt
 
 /// A model with intervals that hold where residuals are not white, where that fit ends as well.
 OdeModel with_intervals(const OdeModel& model, const FreeRun& run, const Dataset& data,
-                        const RunContext& context) {
+                        const KnownNoise& noise, const RunContext& context) {
   try {
-    const Fit whole = fit(SystemModel(model), data, {},
-                          {.restarts = 0, .starts = 0, .effort = Thoroughness::Quick}, context);
+    const Fit whole = fit(
+        SystemModel(model), data, {},
+        {.restarts = 0, .starts = 0, .effort = Thoroughness::Quick, .noise = noise}, context);
     const double more = -2.0 * whole.log_likelihood - run.deviance;
     if (more <= parameter_penalty(run.samples)) return whole.model.symbolic();
   } catch (const DataError&) {
@@ -55,6 +56,7 @@ bool free_runs_decide(const Dataset& data) {
 std::optional<LateEquations> plain_equations(const Dataset& data, const Pipeline& pipeline,
                                              const DeadTimeOptions& options,
                                              const FoundEquations& found,
+                                             const KnownNoise& noise,
                                              const RunContext& context) {
   const GivenTimes given = given_times(data, options);
   Vector times =
@@ -64,17 +66,19 @@ std::optional<LateEquations> plain_equations(const Dataset& data, const Pipeline
   const TermLibrary library = pipeline.basis->library(variables_of(data));
   const auto plain =
       plain_structure(with_inputs_delayed(data, times, without), library, found.result.model,
-                      found.fits ? 0.0 : found.least, context);
+                      found.fits ? 0.0 : found.least, noise, context);
   if (!plain) return std::nullopt;
   LateEquations result{times, found.result.dead_times, found.result};
   if (found.times.size() == 0 && largest(times) > 0.0) {
-    result.found = refined_dead_times(data, plain->system.model(), times, given, context);
+    result.found =
+        refined_dead_times(data, plain->system.model(), times, given, noise, context);
     result.times = times_of(data, result.found);
   }
   const Dataset acting = with_inputs_delayed(data, result.times, without);
-  FreeRun run = free_run(plain->system, in_stretches(acting), context);
-  FreeRun before = free_run(SystemModel(found.result.model),
-                            in_stretches(with_inputs_delayed(data, own, without)), context);
+  FreeRun run = free_run(plain->system, in_stretches(acting), noise, context);
+  FreeRun before =
+      free_run(SystemModel(found.result.model),
+               in_stretches(with_inputs_delayed(data, own, without)), noise, context);
   run.numbers += result.found.size();
   before.numbers += found.result.dead_times.size();
   const double least = found.fits ? 0.0 : found.least;
@@ -86,7 +90,7 @@ std::optional<LateEquations> plain_equations(const Dataset& data, const Pipeline
   auto refitted = refitted_result_on(acting, model, from_there, context);
   if (!refitted) return std::nullopt;
   result.result = *std::move(refitted);
-  result.result.model = with_intervals(model, run, in_stretches(acting), context);
+  result.result.model = with_intervals(model, run, in_stretches(acting), noise, context);
   return result;
 }
 

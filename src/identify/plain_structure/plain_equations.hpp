@@ -26,6 +26,7 @@ bool free_runs_decide(const Dataset& data);
 std::optional<LateEquations> plain_equations(const Dataset& data, const Pipeline& pipeline,
                                              const DeadTimeOptions& options,
                                              const FoundEquations& found,
+                                             const KnownNoise& noise,
                                              const RunContext& context);
 
 }  // namespace lacuna

@@ -110,8 +110,8 @@ std::vector<Term> affine_terms(const Variables& variables) {
 class PlainSearch {
  public:
   PlainSearch(const Dataset& data, const TermLibrary& library, double least,
-              const RunContext& context)
-      : data_(data), context_(context), least_(least), pool_(library.terms) {
+              const KnownNoise& noise, const RunContext& context)
+      : data_(data), context_(context), least_(least), noise_(noise), pool_(library.terms) {
     constexpr double kRatio = 4.0;  // of one width to the next; a bound of the work
     for (Index half = 2; 8 * half < longest_record(data).samples();
          half = static_cast<Index>(kRatio * static_cast<double>(half)))
@@ -161,7 +161,9 @@ class PlainSearch {
     return all;
   }
 
-  FreeRun run(const SystemModel& system) const { return free_run(system, data_, context_); }
+  FreeRun run(const SystemModel& system) const {
+    return free_run(system, data_, noise_, context_);
+  }
   bool is_late() const { return context_.is_late(); }
   bool are_worth(const FreeRun& more, const FreeRun& fewer) const {
     return is_worth(more, fewer, least_);
@@ -214,6 +216,7 @@ class PlainSearch {
   const Dataset& data_;
   const RunContext& context_;
   double least_;
+  const KnownNoise& noise_;
   std::vector<Term> pool_;
   std::vector<std::optional<Parameter>> widths_;  ///< of each of these
   std::vector<Means> means_;
@@ -373,9 +376,9 @@ Dataset in_stretches(const Dataset& data) {
 
 std::optional<FreeRun> plain_structure(const Dataset& data, const TermLibrary& library,
                                        const OdeModel& found, double least,
-                                       const RunContext& context) {
+                                       const KnownNoise& noise, const RunContext& context) {
   const Dataset stretches = in_stretches(data);
-  const PlainSearch search(stretches, library, least, context);
+  const PlainSearch search(stretches, library, least, noise, context);
   if (!search.has_rows()) return std::nullopt;
   const SystemModel law = search.affine();
   std::optional<FreeRun> best = searched_from(search, law);

@@ -30,6 +30,6 @@ Dataset in_stretches(const Dataset& data);
 /// @return nothing where neither start has a finite run.
 std::optional<FreeRun> plain_structure(const Dataset& data, const TermLibrary& library,
                                        const OdeModel& found, double least,
-                                       const RunContext& context);
+                                       const KnownNoise& noise, const RunContext& context);
 
 }  // namespace lacuna

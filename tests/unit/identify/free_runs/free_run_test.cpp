@@ -41,7 +41,8 @@ SystemModel model_of(const std::string& equation) {
 }
 
 TEST(FreeRun, FitsTheCoefficientsAndCountsWhiteResidualsInFull) {
-  const FreeRun run = free_run(model_of("dx/dt = -0.8*x + 1.3*u"), record_of(0.02, 0.0, 3), {});
+  const FreeRun run =
+      free_run(model_of("dx/dt = -0.8*x + 1.3*u"), record_of(0.02, 0.0, 3), {}, {});
   EXPECT_NEAR(run.system.symbolic().coefficient(0, "x"), -1.0, 0.01);
   EXPECT_NEAR(run.system.symbolic().coefficient(0, "u"), 1.0, 0.01);
   EXPECT_EQ(run.numbers, 2u);
@@ -51,15 +52,15 @@ TEST(FreeRun, FitsTheCoefficientsAndCountsWhiteResidualsInFull) {
 }
 
 TEST(FreeRun, CorrelatedResidualsCountAsFewSamples) {
-  const FreeRun run = free_run(model_of("dx/dt = -x + u"), record_of(0.02, 0.8, 4), {});
+  const FreeRun run = free_run(model_of("dx/dt = -x + u"), record_of(0.02, 0.8, 4), {}, {});
   EXPECT_NEAR(run.independent, 0.2 / 1.8, 0.03);
 }
 
 TEST(FreeRun, ATermHasToBeWorthIt) {
   const Dataset data = record_of(0.02, 0.0, 5);
-  const FreeRun whole = free_run(model_of("dx/dt = -x + u"), data, {});
-  const FreeRun more = free_run(model_of("dx/dt = -x + u + 0.01*x^2"), data, {});
-  const FreeRun fewer = free_run(model_of("dx/dt = u"), data, {});
+  const FreeRun whole = free_run(model_of("dx/dt = -x + u"), data, {}, {});
+  const FreeRun more = free_run(model_of("dx/dt = -x + u + 0.01*x^2"), data, {}, {});
+  const FreeRun fewer = free_run(model_of("dx/dt = u"), data, {}, {});
   EXPECT_FALSE(is_worth(more, whole));
   EXPECT_TRUE(is_worth(whole, fewer));
   EXPECT_TRUE(is_better(whole, more));
@@ -78,8 +79,9 @@ TEST(FreeRun, ALeastFractionIsAskedOfEachNumber) {
 }
 
 TEST(FreeRun, AModelThatRunsAwayIsWorthNothing) {
-  const FreeRun away = free_run(model_of("dx/dt = 900*x^3 + u"), record_of(0.02, 0.0, 6), {});
-  const FreeRun fine = free_run(model_of("dx/dt = -x + u"), record_of(0.02, 0.0, 6), {});
+  const FreeRun away =
+      free_run(model_of("dx/dt = 900*x^3 + u"), record_of(0.02, 0.0, 6), {}, {});
+  const FreeRun fine = free_run(model_of("dx/dt = -x + u"), record_of(0.02, 0.0, 6), {}, {});
   EXPECT_TRUE(is_better(fine, away));
 }
 
