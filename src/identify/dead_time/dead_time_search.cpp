@@ -157,20 +157,20 @@ std::optional<LateEquations> equations_with_dead_times(
   LateEquations late{times, {}, find(with_inputs_delayed(data, times, without))};
   late.found = refined_dead_times(data, late.result.model, times, given, noise, context);
   if (!are_determined(late.found)) return std::nullopt;
-  if (const Vector better = times_of(data, late.found); better != late.times) {
-    late.times = better;
-    move_to(with_inputs_delayed(data, better, without), pipeline, late.result, context);
-  }
-  if (all_given) return late;
+  late.times = times_of(data, late.found);
   const auto run = [&](const OdeModel& model, const Vector& delays) {
     return free_run(SystemModel(model), with_inputs_delayed(data, delays, without), noise,
                     context);
   };
-  FreeRun with = run(late.result.model, late.times);
-  with.numbers += late.found.size();
-  return is_better(with, run(at_once.model, Vector::Zero(data.input_count())))
-             ? std::optional(std::move(late))
-             : std::nullopt;
+  if (!all_given) {
+    FreeRun with = run(late.result.model, late.times);
+    with.numbers += late.found.size();
+    if (!is_better(with, run(at_once.model, Vector::Zero(data.input_count()))))
+      return std::nullopt;
+  }
+  if (late.times != times)
+    move_to(with_inputs_delayed(data, late.times, without), pipeline, late.result, context);
+  return late;
 }
 
 }  // namespace lacuna
