@@ -27,7 +27,7 @@ class DelayedRows {
       : data_(data),
         half_(half),
         longest_(longest),
-        // Derivatives are given: what it chooses for differences is of no account.
+        // Derivatives are given: what it chooses for differences changes nothing.
         form_(fitted_to(pipeline.formulation, data, Vector::Zero(data.state_count()))),
         library_(equation_libraries(pipeline.basis->library(variables_of(data)), data, pipeline)
                      .library),
