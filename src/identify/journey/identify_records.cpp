@@ -14,6 +14,7 @@
 #include "identify/pipeline/given_rates.hpp"
 #include "identify/plain_structure/plain_equations.hpp"
 #include "identify/validation/validate.hpp"
+#include "lacuna/core/base/error.hpp"
 #include "lacuna/dynamics/integration/automatic.hpp"
 #include "lower_terms.hpp"
 #include "plain_terms.hpp"
@@ -368,6 +369,9 @@ Identification identify_records(RecordStream records, const IdentificationTask& 
         with_centred_library(prepared.task.pipeline, records.excerpt(), centred);
   prepared.is_centred = !centred.empty();
   const bool may_be_late = may_act_late(prepared.task, records);
+  if (!may_be_late && !given.options.dead_time.given.empty())
+    throw ConfigError("dead time", "these records, or a map of them, cannot have one",
+                      "give records with inputs that fit into memory, and look for a flow");
   Identification found = plain_equations(std::move(records), prepared, context);
   if (!context.leads()) return found;
   const RecordStream recorded = found.records;

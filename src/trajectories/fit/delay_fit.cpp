@@ -35,14 +35,29 @@ struct Tried {
   std::vector<FittedParameter> numbers = {};
 };
 
+/// What is known of a delay before any record is seen, as -2 log of its density.
+double prior_deviance(const Parameter& given, double value) {
+  if (given.deviation) return std::pow((value - given.value) / *given.deviation, 2);
+  if (given.factor) return std::pow(std::log(value / given.value) / std::log(*given.factor), 2);
+  return 0.0;
+}
+
+/// Whether the value of a parameter is also the mean of what is known before.
+bool is_known_before(const Parameter& parameter) {
+  return parameter.deviation || parameter.factor;
+}
+
 /// The profile of the likelihood over one delay. Each fit begins at the numbers of the best so
 /// far.
 class DelayProfile {
  public:
-  DelayProfile(SystemModel system, std::size_t parameter, const FitOptions& options,
-               const RunContext& context, const FitOfKnownDelays& fit_known)
+  /// @param given the delay as the model has it.
+  DelayProfile(SystemModel system, std::size_t parameter, const Parameter& given,
+               const FitOptions& options, const RunContext& context,
+               const FitOfKnownDelays& fit_known)
       : system_(std::move(system)),
         parameter_(parameter),
+        given_(given),
         options_(options),
         context_(context),
         fit_known_(fit_known) {
@@ -58,14 +73,11 @@ class DelayProfile {
 
   Tried at(double value) {
     context_.check_stop();
-    const Parameter& delay = system_.parameters()[parameter_];
     Tried tried{value};
     try {
       const SystemModel held = with_delays_held(with_value(system_, parameter_, value));
       const Fit fit = fit_known_(held, options_);
-      tried.deviance = -2.0 * fit.log_likelihood;
-      if (delay.deviation)
-        tried.deviance += std::pow((value - given_of(delay)) / *delay.deviation, 2);
+      tried.deviance = -2.0 * fit.log_likelihood + prior_deviance(given_, value);
       tried.numbers = fit.numbers;
       if (tried.deviance < best_.deviance) {
         best_ = tried;
@@ -78,28 +90,23 @@ class DelayProfile {
   }
 
  private:
-  /// What was known of it before any record was seen.
-  double given_of(const Parameter& delay) {
-    if (!given_) given_ = delay.value;
-    return *given_;
-  }
-
   /// The numbers of a fit in the system whose delays are free.
   SystemModel with_estimates(const SystemModel& fitted, double value) const {
     std::vector<Parameter> parameters = system_.parameters();
     for (std::size_t i = 0; i < parameters.size(); ++i)
-      if (fitted.parameters()[i].free) parameters[i].value = fitted.parameters()[i].value;
+      if (fitted.parameters()[i].free && !is_known_before(parameters[i]))
+        parameters[i].value = fitted.parameters()[i].value;
     parameters[parameter_].value = value;
     return {fitted.symbolic(), std::move(parameters)};
   }
 
   SystemModel system_;
   std::size_t parameter_;
+  Parameter given_;
   FitOptions options_;
   const RunContext& context_;
   const FitOfKnownDelays& fit_known_;
   Tried best_;
-  std::optional<double> given_;
 };
 
 /// A delay at its best, and what the others do about it.
@@ -182,7 +189,11 @@ std::size_t place_of(const Fit& fit, const SystemModel& system, std::size_t para
 
 SystemModel with_delays_held(const SystemModel& system) {
   std::vector<Parameter> parameters = system.parameters();
-  for (const std::size_t i : system.delay_parameters()) parameters[i].free = false;
+  for (const std::size_t i : system.delay_parameters()) {
+    parameters[i].free = false;
+    parameters[i].deviation.reset();
+    parameters[i].factor.reset();
+  }
   return {system.symbolic(), std::move(parameters)};
 }
 
@@ -202,7 +213,8 @@ Fit fit_with_delays(const SystemModel& system, const FitOptions& options,
     for (std::size_t d = 0; d < delays.size(); ++d) {
       const DelayRange range = range_of(system.parameters()[delays[d]]);
       const double before = best.parameters()[delays[d]].value;
-      DelayProfile profile(best, delays[d], options, context, fit_known);
+      DelayProfile profile(best, delays[d], system.parameters()[delays[d]], options, context,
+                           fit_known);
       search_range(profile, range, before);
       known[d] = known_at(profile, range);
       best = profile.best_system();
@@ -221,6 +233,7 @@ Fit fit_with_delays(const SystemModel& system, const FitOptions& options,
                                           range_of(given), known[d].error);
     parameters[delays[d]].free = true;
     parameters[delays[d]].deviation.reset();
+    parameters[delays[d]].factor.reset();
     parameters[delays[d]].standard_error = number.standard_error;
     parameters[delays[d]].ci95 = number.ci95;
     const auto place = static_cast<std::ptrdiff_t>(place_of(result, system, delays[d]));

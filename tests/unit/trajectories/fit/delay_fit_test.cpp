@@ -86,6 +86,18 @@ TEST(DelayFit, FindsADelayAndItsErrorWithTheOthers) {
   EXPECT_GT(errors, 0.0);
 }
 
+/// A prior that is far narrower than what the record shows draws the estimate to its mean, of
+/// the delay and of a parameter beside it, wherever fits before it ended.
+TEST(DelayFit, WhatIsKnownBeforeStaysWhatItWas) {
+  const Fit found = fit(late_system("2 +- 0.0001 in 0..20"), late_record(30), {});
+  EXPECT_NEAR(late_number(found, "d").value, 2.0, 2e-3);
+  const SystemModel narrow = parse_ode_system(
+      "input u hold zero\nparam tau = 7 +- 0.0001\nparam k = 1\nparam d = 1 in 0..20\n"
+      "dx/dt = (k*delay(u,d) - x)/tau\n",
+      "made");
+  EXPECT_NEAR(late_number(fit(narrow, late_record(31), {}), "tau").value, 7.0, 2e-3);
+}
+
 TEST(DelayFit, HoldsItsRange) {
   const Fit found = fit(late_system("0.5 in 0..1"), late_record(20), {});
   EXPECT_NEAR(late_number(found, "d").value, 1.0, 2e-3);
