@@ -60,6 +60,23 @@ SystemModel with_free_times(const OdeModel& model, const Vector& times, const Gi
   return {frame.with_equations(std::move(equations)), std::move(parameters)};
 }
 
+/// Times that are known, 0 of other inputs.
+Vector known_times(const GivenTimes& given) {
+  Vector times(static_cast<Index>(given.size()));
+  for (std::size_t j = 0; j < given.size(); ++j)
+    times[static_cast<Index>(j)] = given[j].value_or(0.0);
+  return times;
+}
+
+/// Those above 0, as a result has them.
+std::vector<DeadTime> as_given(const Dataset& data, const Vector& times) {
+  std::vector<DeadTime> late;
+  for (Index j = 0; j < times.size(); ++j)
+    if (times[j] > 0.0)
+      late.push_back({data.inputs[static_cast<std::size_t>(j)].name, times[j]});
+  return late;
+}
+
 /// The equations of a result with the coefficients that other records give them.
 void move_to(const Dataset& data, const Pipeline& pipeline, IdentificationResult& result,
              const RunContext& context) {
@@ -146,28 +163,26 @@ std::optional<LateEquations> equations_with_dead_times(
     const IdentificationResult& at_once, const FindEquations& find, const KnownNoise& noise,
     const RunContext& context) {
   const GivenTimes given = given_times(data, options);
-  const bool all_given = std::all_of(given.begin(), given.end(),
-                                     [](const auto& time) { return time.has_value(); });
-  Vector times = all_given ? Vector(data.input_count())
-                           : screened_dead_times(data, pipeline, options, given, context);
-  for (std::size_t j = 0; j < given.size(); ++j)
-    if (given[j]) times[static_cast<Index>(j)] = *given[j];
-  if (times.maxCoeff() <= 0.0) return std::nullopt;
+  const Vector known = known_times(given);
+  std::optional<LateEquations> before;  // with the times that are given and no others
+  if (known.maxCoeff() > 0.0)
+    before = {known, as_given(data, known),
+              find(with_inputs_delayed(data, known, known.maxCoeff()))};
+  const Vector times = screened_dead_times(data, pipeline, options, given, context);
+  if (times == known) return before;
   const double without = times.maxCoeff() + 2.0 * median_step(data);  // what refining may add
-  LateEquations late{times, {}, find(with_inputs_delayed(data, times, without))};
-  late.found = refined_dead_times(data, late.result.model, times, given, noise, context);
-  if (!are_determined(late.found)) return std::nullopt;
-  late.times = times_of(data, late.found);
   const auto run = [&](const OdeModel& model, const Vector& delays) {
     return free_run(SystemModel(model), with_inputs_delayed(data, delays, without), noise,
                     context);
   };
-  if (!all_given) {
-    FreeRun with = run(late.result.model, late.times);
-    with.numbers += late.found.size();
-    if (!is_better(with, run(at_once.model, Vector::Zero(data.input_count()))))
-      return std::nullopt;
-  }
+  const OdeModel& model = before ? before->result.model : at_once.model;
+  LateEquations late{times, {}, find(with_inputs_delayed(data, times, without))};
+  late.found = refined_dead_times(data, late.result.model, times, given, noise, context);
+  if (!are_determined(late.found)) return before;
+  late.times = times_of(data, late.found);
+  FreeRun with = run(late.result.model, late.times);
+  with.numbers += late.found.size();
+  if (!is_better(with, run(model, known))) return before;
   if (late.times != times)
     move_to(with_inputs_delayed(data, late.times, without), pipeline, late.result, context);
   return late;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Plants as benches record them: the position alone, rounded, inputs held from sample to sample.
+// Plants as benches record them: the position alone, rounded, inputs held from sample to
+// sample.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -7,10 +8,10 @@
 #include <functional>
 
 #include "core/base/random.hpp"
-#include "lacuna/records/binding/embedding.hpp"
 #include "lacuna/core/base/error.hpp"
 #include "lacuna/data/derivatives/finite_differences.hpp"
 #include "lacuna/identify/journey/identify_records.hpp"
+#include "lacuna/records/binding/embedding.hpp"
 
 namespace lacuna {
 namespace {
@@ -99,6 +100,28 @@ TEST(Plants, AnInputThatActsAtOnceHasNoDeadTime) {
   EXPECT_THAT(terms_of(result.model, 1), UnorderedElementsAre("x_d1", "u"));
 }
 
+/// Of two inputs one acts late and is said to act later than that: what is given stays.
+TEST(Plants, ADeadTimeThatIsGivenStaysBesideOnesThatAreSought) {
+  Bench bench{[](double, double v, double u) { return -3.0 * v + 8.0 * u; },
+              2,
+              0.01,
+              2e-4,
+              0.0,
+              0.0,
+              levels(40, 12)};
+  Dataset data = record_of(bench);
+  data.inputs.push_back({"idle", "", Hold::Zero});
+  Trajectory& record = data.trajectories[0];
+  record.inputs.conservativeResize(Eigen::NoChange, 2);
+  for (Index i = 0; i < record.samples(); ++i) record.inputs(i, 1) = levels(30, 13)(i, 0.0);
+  IdentificationTask task;
+  task.options.dead_time.given = {{"u", 0.05}};
+  const IdentificationResult result = identify_records(data, task).result;
+  ASSERT_FALSE(result.dead_times.empty());
+  EXPECT_EQ(result.dead_times[0].input, "u");
+  EXPECT_EQ(result.dead_times[0].time, 0.05);
+}
+
 TEST(Plants, ADeadTimeThatIsGivenIsTaken) {
   const Dataset data = record_of({[](double, double v, double u) { return -3.0 * v + 8.0 * u; },
                                   2, 0.01, 2e-4, 0.0, 0.0, levels(40, 9)});
@@ -116,13 +139,14 @@ TEST(Plants, ADeadTimeThatIsGivenIsTaken) {
 /// the library.
 TEST(Plants, DryFrictionAndADeadTimeUnderFeedbackAreFoundByFreeRuns) {
   const auto target = levels(120, 11);
-  const Dataset data =
-      record_of({[](double, double v, double u) {
-                   return -4.0 * v + 6.0 * u - 0.5 * std::tanh(v / 0.01);
-                 },
-                 2, 0.01, 1e-4, 0.0, 0.0, [&](Index i, double seen) {
-                   return i < 100 ? 0.0 : 0.01 * std::round(400.0 * (0.1 * target(i, 0.0) - seen));
-                 }});
+  const Dataset data = record_of(
+      {[](double, double v, double u) {
+         return -4.0 * v + 6.0 * u - 0.5 * std::tanh(v / 0.01);
+       },
+       2, 0.01, 1e-4, 0.0, 0.0,
+       [&](Index i, double seen) {
+         return i < 100 ? 0.0 : 0.01 * std::round(400.0 * (0.1 * target(i, 0.0) - seen));
+       }});
   const IdentificationResult result = identify_records(data).result;
   ASSERT_EQ(result.dead_times.size(), 1u) << to_text(result.model, 5);
   EXPECT_NEAR(result.dead_times[0].time, 0.02, 0.003);
@@ -135,9 +159,9 @@ TEST(Plants, DryFrictionAndADeadTimeUnderFeedbackAreFoundByFreeRuns) {
 }
 
 TEST(Plants, LightDampingOfAPendulumIsFoundByFreeRuns) {
-  const Dataset data = record_of(
-      {[](double x, double v, double) { return -14.0 * std::sin(x) - 0.15 * v; }, 0, 0.01,
-       2.0 * M_PI / 512, 2.0, 0.0, nullptr, 2500});
+  const Dataset data =
+      record_of({[](double x, double v, double) { return -14.0 * std::sin(x) - 0.15 * v; }, 0,
+                 0.01, 2.0 * M_PI / 512, 2.0, 0.0, nullptr, 2500});
   const IdentificationResult result = identify_records(data).result;
   EXPECT_THAT(terms_of(result.model, 1), UnorderedElementsAre("sin(x)", "x_d1"));
   EXPECT_NEAR(result.model.coefficient(1, "x_d1"), -0.15, 2e-3);
