@@ -72,6 +72,7 @@ std::optional<LateEquations> plain_equations(const Dataset& data, const Pipeline
   if (found.times.size() == 0 && largest(times) > 0.0) {
     result.found =
         refined_dead_times(data, plain->system.model(), times, given, noise, context);
+    if (!are_determined(result.found)) result.found.clear();
     result.times = times_of(data, result.found);
   }
   const Dataset acting = with_inputs_delayed(data, result.times, without);
