@@ -52,9 +52,8 @@ TEST_P(Encoder, ShowsTheWholeLaw) {
           .hide({"w", {GetParam().name}, {}, GetParam().law, -1.0}, GetParam().law)
           .build();
   const Records clean = make_records(motor, 0.0, 9401);
-  const Diagnosis found =
-      diagnosis_of(motor.nominal, counted(motor.nominal, clean.find),
-                   counted(motor.nominal, clean.check));
+  const Diagnosis found = diagnosis_of(motor.nominal, counted(motor.nominal, clean.find),
+                                       counted(motor.nominal, clean.check));
   ASSERT_EQ(found.effects.size(), 1u) << in_one_line(found);
   EXPECT_EQ(found.effects[0].name, GetParam().name) << in_one_line(found);
 }

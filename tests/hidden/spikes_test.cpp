@@ -2,10 +2,10 @@
 // A few samples that are off have no name: no effect is named for them, and they take none
 // away.
 #include "hidden/support/spikes.hpp"
-#include "hidden/whole_vocabulary.hpp"
 
 #include <gtest/gtest.h>
 
+#include "hidden/whole_vocabulary.hpp"
 #include "lacuna/model/files/ode_text.hpp"
 
 namespace lacuna::hidden {

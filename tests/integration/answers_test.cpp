@@ -93,12 +93,8 @@ class Answers : public ::testing::Test {
 };
 
 TEST_F(Answers, OfIdentify) {
-  for (const auto& [noise, offset] : {std::pair{0.0, 0.0},
-                                      {0.0, 1e7},
-                                      {1e-4, 1e4},
-                                      {1e-4, 1e7},
-                                      {0.01, 0.0},
-                                      {0.1, 1.0}})
+  for (const auto& [noise, offset] :
+       {std::pair{0.0, 0.0}, {0.0, 1e7}, {1e-4, 1e4}, {1e-4, 1e7}, {0.01, 0.0}, {0.1, 1.0}})
     expect_consistent("identification",
                       "identify " + wave("r.csv", noise, 0.0, offset) + " --degree 1");
   expect_consistent("identification", "identify " + wave("r.csv", 0.01) + " --holdout " +

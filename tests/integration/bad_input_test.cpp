@@ -21,7 +21,8 @@ std::string good_rows(int n) {
 std::string rows_with(const std::string& name, const std::string& value) {
   std::string text = "t,x," + name + "\n";
   for (int i = 0; i < 50; ++i)
-    text += std::to_string(0.1 * i) + "," + std::to_string(std::cos(0.1 * i)) + "," + value + "\n";
+    text +=
+        std::to_string(0.1 * i) + "," + std::to_string(std::cos(0.1 * i)) + "," + value + "\n";
   return text;
 }
 
@@ -55,7 +56,8 @@ TEST(BadInput, RecordsAreRefusedInOneLine) {
 
 TEST(BadInput, ConfigurationsAndModelsAreRefusedInOneLine) {
   const TemporaryFolder folder;
-  const std::string identify = "identify " + folder.write("r.csv", good_rows(60)) + " --config ";
+  const std::string identify =
+      "identify " + folder.write("r.csv", good_rows(60)) + " --config ";
   expect_program_error(
       identify + folder.write("c.json", R"({"regressor": {"type": "stlsq", "treshold": 0.1}})"),
       2, {"$.regressor.treshold", "threshold"});

@@ -55,40 +55,35 @@ HiddenCase late_filter(Random& random, std::uint64_t seed) {
   const double square = pace * pace, damping = random.uniform(2.2, 3.0) * pace;
   SignalSpec levels = converter(16, step);
   levels.shape = SignalSpec::Shape::TwoLevel;
-  const Plant plant{
-      model_of("s", {{"v", "V"}, {"r", "V/s"}}, {{"u", "V"}},
-               {{{"r", 1.0}}, {{"u", square}, {"v", -square}, {"r", -damping}}}),
-      Vector{{0.0, 0.0}},
-      Vector{{0.1, 1.0}},
-      step,
-      1500,
-      0.1,
-      {levels}};
+  const Plant plant{model_of("s", {{"v", "V"}, {"r", "V/s"}}, {{"u", "V"}},
+                             {{{"r", 1.0}}, {{"u", square}, {"v", -square}, {"r", -damping}}}),
+                    Vector{{0.0, 0.0}},
+                    Vector{{0.1, 1.0}},
+                    step,
+                    1500,
+                    0.1,
+                    {levels}};
   CaseBuilder builder(bench_name("bench-late-filter", seed),
                       "A filter whose input acts part of a step late", plant);
   const double late = step * random.uniform(1.2, 2.8);
-  builder.hide({"r",
-                {"delay", "channel-skew"},
-                {},
-                "delay(u," + std::to_string(late) + ")-u",
-                square});
+  builder.hide(
+      {"r", {"delay", "channel-skew"}, {}, "delay(u," + std::to_string(late) + ")-u", square});
   return builder.build();
 }
 
 /// A pendulum with a motor, 40 s.
 HiddenCase noisy_torque(Random& random, std::uint64_t seed) {
-  const Plant plant{
-      model_of("s", {{"th", "rad"}, {"w", "rad/s"}}, {{"u", "N m"}},
-               {{{"w", 1.0}},
-                {{"sin(th)", -random.uniform(10.0, 30.0)},
-                 {"w", -random.uniform(0.2, 1.0)},
-                 {"u", random.uniform(2.0, 8.0)}}}),
-      Vector{{0.0, 0.0}},
-      Vector{{0.3, 0.5}},
-      0.01,
-      4000,
-      5.0,
-      {{.size = 2.0, .low = 0.1, .high = 1.5}}};
+  const Plant plant{model_of("s", {{"th", "rad"}, {"w", "rad/s"}}, {{"u", "N m"}},
+                             {{{"w", 1.0}},
+                              {{"sin(th)", -random.uniform(10.0, 30.0)},
+                               {"w", -random.uniform(0.2, 1.0)},
+                               {"u", random.uniform(2.0, 8.0)}}}),
+                    Vector{{0.0, 0.0}},
+                    Vector{{0.3, 0.5}},
+                    0.01,
+                    4000,
+                    5.0,
+                    {{.size = 2.0, .low = 0.1, .high = 1.5}}};
   CaseBuilder builder(bench_name("bench-noisy-torque", seed),
                       "A pendulum whose torque is measured with noise", plant);
   return builder.misjudge("w", "u", random.uniform(0.8, 1.2)).build();
@@ -103,14 +98,14 @@ HiddenCase spiked_speed(Random& random, std::uint64_t seed) {
 
 /// A slide on a guide that nobody described: v, with the place hidden; one stroke.
 HiddenCase one_stroke(Random& random, std::uint64_t seed) {
-  const Plant plant{model_of("s", {{"v", "m/s"}}, {{"u", "N"}},
-                             {{{"u", random.uniform(0.05, 0.2)}}}),
-                    Vector{{0.0}},
-                    Vector{{0.0}},
-                    0.005,
-                    400,
-                    0.0,
-                    {{.mean = 20.0, .size = 2.0, .low = 0.2, .high = 1.0}}};
+  const Plant plant{
+      model_of("s", {{"v", "m/s"}}, {{"u", "N"}}, {{{"u", random.uniform(0.05, 0.2)}}}),
+      Vector{{0.0}},
+      Vector{{0.0}},
+      0.005,
+      400,
+      0.0,
+      {{.mean = 20.0, .size = 2.0, .low = 0.2, .high = 1.0}}};
   CaseBuilder builder(bench_name("bench-one-stroke", seed),
                       "One stroke over a guide that drags along its length", plant);
   return builder.hidden_states({{"x", {{"v", 1.0}}}})
@@ -184,13 +179,12 @@ double deviation_of(const Vector& values) {
 
 void add_noise_to_input(double fraction, Random& random, Trajectory& record) {
   const double size = fraction * deviation_of(record.inputs.col(0));
-  for (Index i = 0; i < record.samples(); ++i)
-    record.inputs(i, 0) += size * random.normal();
+  for (Index i = 0; i < record.samples(); ++i) record.inputs(i, 0) += size * random.normal();
 }
 
 void add_spike(Random& random, Trajectory& record) {
-  const auto place = static_cast<Index>(random.uniform(0.2, 0.7) *
-                                        static_cast<double>(record.samples()));
+  const auto place =
+      static_cast<Index>(random.uniform(0.2, 0.7) * static_cast<double>(record.samples()));
   record.states(place, 0) += random.uniform(2.0, 8.0) * deviation_of(record.states.col(0));
 }
 

@@ -89,8 +89,8 @@ bool is_watched(const Session& session, const RunOptions& options);
 /// Ends the line that progress was shown on.
 void finish_progress(const Session& session, const RunOptions& options);
 
-/// The exit status of a command with a verdict: where none may be given, a line on standard error
-/// says why.
+/// The exit status of a command with a verdict: where none may be given, a line on standard
+/// error says why.
 int status_of(const Session& session, const Admission& admission);
 
 /// Writes text to a file, whole or not at all, or to standard output for "-".

@@ -50,9 +50,10 @@ void declare_pipeline_options(Command& command, IdentifyArguments& options) {
               "\"y: x < 0\" (a sign), energy-preserving; repeatable");
   command.add("--equation STATE:LIST", &options.equations,
               "The terms of one equation, e.g. \"dw: sin(th), w, u\"; repeatable");
-  command.add("--dead-time INPUT=TIME", &options.dead_times,
-              "How late an input acts, in the time unit of the records: auto (sought), 0, 0.02; "
-              "repeatable [default: auto]");
+  command.add(
+      "--dead-time INPUT=TIME", &options.dead_times,
+      "How late an input acts, in the time unit of the records: auto (sought), 0, 0.02; "
+      "repeatable [default: auto]");
   command
       .add("--alternatives N", &options.alternatives,
            "List so many models of other structure that the record cannot distinguish "

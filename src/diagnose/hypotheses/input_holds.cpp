@@ -248,7 +248,8 @@ RivalHolds rival_holds(const Problem& problem, const std::vector<OpenInput>& ope
     const auto hold = problem.nominal.inputs()[static_cast<std::size_t>(input)].hold;
     // What the hold explains of a model that lacks an effect settles nothing where the effect
     // explains more, unless nothing is left to explain and nothing stands for the hold. Half a
-    // step of delay that no repeated sample shows settles nothing beside an effect of the input.
+    // step of delay that no repeated sample shows settles nothing beside an effect of the
+    // input.
     const bool unshown =
         hold == Hold::Zero && of_input && !repeats_samples(problem.records.data, input);
     if (better.empty() && (unshown || (lead < explained && (!complete || of_input))))

@@ -65,11 +65,12 @@ std::vector<SmallestEffect> smallest_effects(const Diagnosis& diagnosis, double 
   return least;
 }
 
-/// The floor of the gap where no verdict stands by the noise model: what has a memory may be the
-/// structure that has no name.
+/// The floor of the gap where no verdict stands by the noise model: what has a memory may be
+/// the structure that has no name.
 void keep_white_floor(Diagnosis& diagnosis) {
   if (!diagnosis.gap) return;
-  if (diagnosis.verdict != Verdict::UnnamedStructure && diagnosis.verdict != Verdict::Undetermined)
+  if (diagnosis.verdict != Verdict::UnnamedStructure &&
+      diagnosis.verdict != Verdict::Undetermined)
     return;
   diagnosis.gap->noise_floor = diagnosis.gap->white_floor;
   diagnosis.gap->above_floor = diagnosis.gap->above_white_floor;

@@ -361,11 +361,12 @@ namespace {
 /// Effects that explain hardly anything beside others that explain what there is to explain.
 void set_minor_apart(const DecisionOptions& decision, Diagnosis& result) {
   std::vector<NamedEffect>& all = result.effects;
-  const auto minor = std::stable_partition(
-      all.begin(), all.end(),
-      [&](const NamedEffect& one) { return one.gap_closed >= decision.effect_size; });
+  const auto minor = std::stable_partition(all.begin(), all.end(), [&](const NamedEffect& one) {
+    return one.gap_closed >= decision.effect_size;
+  });
   if (minor == all.begin()) return;
-  result.minor_effects.assign(std::make_move_iterator(minor), std::make_move_iterator(all.end()));
+  result.minor_effects.assign(std::make_move_iterator(minor),
+                              std::make_move_iterator(all.end()));
   all.erase(minor, all.end());
 }
 

@@ -50,8 +50,8 @@ double noise_of_samples(const BoundRecords& records, std::size_t k) {
   return known ? records.channels[k].noise.sigma : 0.0;
 }
 
-/// What the measurement noise alone makes: all of it, and without what of it has a memory, beside
-/// which the fit may leave nothing to the white noise that the samples show.
+/// What the measurement noise alone makes: all of it, and without what of it has a memory,
+/// beside which the fit may leave nothing to the white noise that the samples show.
 struct NoiseFloors {
   double all = 0.0, white = 0.0;
 };

@@ -232,7 +232,8 @@ bool runs_away(const Gap& gap, const DecisionOptions& decision) {
 
 namespace {
 
-/// Beside names noise with a memory is noise; where nothing is named it may be what has no name.
+/// Beside names noise with a memory is noise; where nothing is named it may be what has no
+/// name.
 std::string open_gap_phrase(const Gap& gap, bool is_named) {
   const double floor = is_named ? gap.noise_floor : gap.white_floor;
   return "the gap on the records that were not used stays at " +

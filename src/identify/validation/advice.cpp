@@ -84,9 +84,9 @@ Pipeline offering(const AdviceTask& asked_for, const std::string& state,
   return pipeline;
 }
 
-/// What is asked for, without the forms that the pipeline does not keep where it is offered all of
-/// them: what its pruner or its refiner takes out again is no advice. Nothing where too little is
-/// left of it.
+/// What is asked for, without the forms that the pipeline does not keep where it is offered all
+/// of them: what its pruner or its refiner takes out again is no advice. Nothing where too
+/// little is left of it.
 std::optional<Asked> kept_by_pipeline(const AdviceTask& asked_for, const FormTask& task,
                                       Asked asked, const RunContext& context) {
   EquationForms& equation = asked.equation;
@@ -96,7 +96,8 @@ std::optional<Asked> kept_by_pipeline(const AdviceTask& asked_for, const FormTas
   for (const MissingForm& form : equation.forms) terms.push_back(written(form, variables));
   const std::string& state = task.model.states()[static_cast<std::size_t>(k)].name;
   const OdeModel found =
-      identify(asked_for.data, offering(asked_for, state, terms), context.beside_others()).model;
+      identify(asked_for.data, offering(asked_for, state, terms), context.beside_others())
+          .model;
   context.check_stop();
   std::erase_if(equation.forms, [&](const MissingForm& form) {
     return found.coefficient(k, written(form, variables)) == 0.0;

@@ -120,8 +120,8 @@ void report_effect(const Diagnosis& diagnosis, const NamedEffect& effect, Senten
                                 : state_of(diagnosis, effect.equation).unit;
   out.push_back((diagnosis.admission.stands() ? "" : "A candidate, no finding. ") +
                 std::string(acts ? "Equation " : "Channel ") +
-                state_name(diagnosis, effect.equation) +
-                ": " + effect.description + " (" + effect.name + "), " +
+                state_name(diagnosis, effect.equation) + ": " + effect.description + " (" +
+                effect.name + "), " +
                 with_error(effect.coefficient, kNormalQuantile975 * effect.deviation) +
                 (unit.empty() ? "" : " " + unit) + " * " +
                 readable_formula(effect.term, effect.parameters) + force_of(effect, unit) +

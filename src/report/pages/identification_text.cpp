@@ -144,8 +144,7 @@ std::string first_answer_text(const IdentificationResult& result, const TextOpti
 std::string format_text(const IdentificationReport& report, const TextOptions& options) {
   const std::string first = verdict_section(report) + "\n" +
                             equations_section(report.result.model, options) +
-                            dead_times_in(report.result) +
-                            alternatives_section(report);
+                            dead_times_in(report.result) + alternatives_section(report);
   if (options.explain) return first + details_text(report, options.digits);
   const std::string left_out = left_out_line(report.result.stages);
   return first + warnings_section(said_once(report.result.warnings)) +

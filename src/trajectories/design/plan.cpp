@@ -182,11 +182,10 @@ std::vector<ScoredDesign> search(Planning& planning, const Rivals& rivals,
       return score_of(planning.terms, own, evidence);
     };
   };
-  SearchedDesigns found =
-      best_designs(planning.sizes, make_score, known,
-                   {planning.options.candidates, planning.options.searches,
-                    planning.options.evaluations},
-                   context);
+  SearchedDesigns found = best_designs(
+      planning.sizes, make_score, known,
+      {planning.options.candidates, planning.options.searches, planning.options.evaluations},
+      context);
   planning.in_time = planning.in_time && found.in_time;
   planning.evaluations += evaluations;
   std::size_t paths = 0;
@@ -202,8 +201,8 @@ struct SafeDesign {
   double leaves = 0.0;
 };
 
-/// For the check of a design and its expected results: a second beyond the deadline, within which
-/// a run ends.
+/// For the check of a design and its expected results: a second beyond the deadline, within
+/// which a run ends.
 RunContext with_grace(RunContext context) {
   constexpr std::chrono::seconds kGrace{1};
   if (context.deadline) *context.deadline += kGrace;
@@ -227,8 +226,8 @@ SafeDesign safe_search(Planning& planning, const Rivals& rivals, const DesignEvi
         experiment_of(planning.problem, planning.spaces[known.front().space],
                       known.front().design);
     const SafetyCheck check =
-        check_safety(rivals, experiment, planning.problem.safe,
-                     planning.options.safety_draws, allowed, with_grace(context));
+        check_safety(rivals, experiment, planning.problem.safe, planning.options.safety_draws,
+                     allowed, with_grace(context));
     planning.simulations +=
         static_cast<Index>(rivals.runs.size()) * planning.options.safety_draws;
     if (round == 0 || check.leaves < best.leaves) best = {known.front(), check.leaves};
@@ -253,8 +252,8 @@ DesignEvidence evidence_of_made(const PlanProblem& problem, int runs, Rivals& ri
   return repeated(std::move(made), runs * problem.duration / duration);
 }
 
-/// The search for the next run, which the stages of the plan have then; nothing where the deadline
-/// has left it out. @throws OutOfTime where that leaves no run.
+/// The search for the next run, which the stages of the plan have then; nothing where the
+/// deadline has left it out. @throws OutOfTime where that leaves no run.
 std::optional<SafeDesign> next_design(Planning& planning, const Rivals& rivals,
                                       const DesignEvidence& earlier, const RunContext& context,
                                       Plan& plan) {
@@ -276,10 +275,11 @@ void add_promises(const Planning& planning, Rivals& rivals,
   const PlanProblem& problem = planning.problem;
   context.report("expected results", 0.9);
   const bool with_pairs = rivals.runs.size() > 1;
-  expected.made = evidence_of_made(problem, static_cast<int>(plan.runs.size()), rivals, with_pairs);
+  expected.made =
+      evidence_of_made(problem, static_cast<int>(plan.runs.size()), rivals, with_pairs);
   if (with_pairs)
-    plan.pairs = pair_promises(problem, rivals, expected, experiments, planning.options.decisive,
-                               context);
+    plan.pairs = pair_promises(problem, rivals, expected, experiments,
+                               planning.options.decisive, context);
   plan.parameters = parameter_promises(problem, rivals, expected, experiments, context);
   plan.time_saved = time_saved(planning.terms, rivals, expected);
 }

@@ -132,15 +132,14 @@ std::vector<StageDone> stages_of(const FitOptions& options, const FitSearch& sea
 FitEstimate estimate(const SystemModel& system, FitEngine& engine,
                           const FitUnknowns& unknowns, const FitPoint& start,
                           const FitOptions& options, const RunContext& context, Fit& result) {
-  const FitSearch search =
-      search_fit(engine, unknowns, start,
-                 {.restarts = options.restarts,
-                  .spread = options.spread,
-                  .only_given = options.effort == Thoroughness::Quick,
-                  .rough = options.rough,
-                  .range_starts = range_starts(engine, options),
-                  .always_ranges = options.starts.has_value()},
-                 context);
+  const FitSearch search = search_fit(engine, unknowns, start,
+                                      {.restarts = options.restarts,
+                                       .spread = options.spread,
+                                       .only_given = options.effort == Thoroughness::Quick,
+                                       .rough = options.rough,
+                                       .range_starts = range_starts(engine, options),
+                                       .always_ranges = options.starts.has_value()},
+                                      context);
   if (!std::isfinite(search.best.path.cost)) throw_no_run();
   context.unhurried().report("errors of the numbers", 0.9);
   result.degrees_of_freedom = degrees_of_freedom(engine, unknowns);

@@ -168,16 +168,17 @@ double total_of(const std::vector<FitRun>& runs) {
 
 std::string searches_sentence(int starts, int agreeing) {
   if (agreeing >= starts)
-    return "all " + std::to_string(starts) + " searches, from different starts, came to this fit";
+    return "all " + std::to_string(starts) +
+           " searches, from different starts, came to this fit";
   const std::string others = starts - agreeing == 1
                                  ? "the other one"
                                  : "the other " + std::to_string(starts - agreeing);
   if (agreeing > 1)
     return std::to_string(agreeing) + " of " + std::to_string(starts) +
            " searches, from different starts, came to this fit, " + others + " to worse ones";
-  return "one of " + std::to_string(starts) + " searches, from different starts, came to this " +
-         "fit, the best, and " + others + " to worse ones: another start may come to a better " +
-         "one (--starts 60)";
+  return "one of " + std::to_string(starts) +
+         " searches, from different starts, came to this " + "fit, the best, and " + others +
+         " to worse ones: another start may come to a better " + "one (--starts 60)";
 }
 
 std::vector<std::string> notes_of(const Fit& fit) {

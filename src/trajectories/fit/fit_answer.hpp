@@ -29,7 +29,8 @@ SystemModel with_numbers(const SystemModel& system, const ParametrisedModel& mod
 /// The log-likelihood of all values.
 double total_of(const std::vector<FitRun>& runs);
 
-/// What searches from more than one start came to, and what to do where one alone came to the best.
+/// What searches from more than one start came to, and what to do where one alone came to the
+/// best.
 std::string searches_sentence(int starts, int agreeing);
 
 /// What is to be said of a fit.

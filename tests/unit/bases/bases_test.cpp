@@ -52,7 +52,8 @@ TEST(ProductOfBases, OfABasisWithItselfHasEachProductOnce) {
 TEST(ProductOfBases, DegreesAreBounded) {
   const Stage<Basis> cubes = Monomials{{.max_degree = 3}};
   const ProductOfBases product{{.first = cubes, .second = cubes, .max_degree = 2}};
-  EXPECT_EQ(product.library(kTwo).names(), (Monomials{{.max_degree = 2}}.library(kTwo).names()));
+  EXPECT_EQ(product.library(kTwo).names(),
+            (Monomials{{.max_degree = 2}}.library(kTwo).names()));
 }
 
 TEST(ProductOfBases, TooManyAreRefused) {
@@ -93,8 +94,9 @@ TEST(OrthogonalPolynomials, AreThoseOfTheScaledVariable) {
 TEST(OrthogonalPolynomials, ProductsGoUpToTheDegree) {
   const TermLibrary library = Legendre{{.max_degree = 3}}.library({{"x", "y"}, {"u"}});
   EXPECT_EQ(library.size(), 20);  // binomial(3 + 3, 3)
-  EXPECT_EQ((Legendre{{.max_degree = 3, .with_inputs = false}}.library({{"x", "y"}, {"u"}}).size()),
-            10);
+  EXPECT_EQ(
+      (Legendre{{.max_degree = 3, .with_inputs = false}}.library({{"x", "y"}, {"u"}}).size()),
+      10);
   const std::vector<std::string> names = library.names();
   EXPECT_THAT(names, ::testing::Contains("x*y*u"));
 }
@@ -117,8 +119,8 @@ TEST(RadialFunctions, AreGaussiansAroundTheirCentres) {
   ASSERT_EQ(library.size(), 5);
   for (int i = 0; i < 3; ++i) {
     const double distance = 1.3 - 2.0 * i;
-    EXPECT_NEAR(values_at(library, 1.3)[2 + i],
-                std::exp(-0.5 * distance * distance / 4.0), 1e-12);
+    EXPECT_NEAR(values_at(library, 1.3)[2 + i], std::exp(-0.5 * distance * distance / 4.0),
+                1e-12);
   }
 }
 

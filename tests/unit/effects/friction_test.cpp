@@ -154,14 +154,13 @@ TEST(Radiation, TakesAwayAndHasAZero) {
   const Vector near = Vector::Constant(1, 10.0);
   EXPECT_TRUE(reading_of<kRadiation>(scope, loss, -1e-9, near));
   EXPECT_FALSE(reading_of<kRadiation>(scope, loss, 1e-9, near));
-  EXPECT_FALSE(reading_of<kRadiation>(scope, loss, -1e-9,
-                                      Vector::Constant(1, loss.shapes[0].high)));
+  EXPECT_FALSE(
+      reading_of<kRadiation>(scope, loss, -1e-9, Vector::Constant(1, loss.shapes[0].high)));
 }
 
 TEST(ExponentialConduction, WithTheWidestScaleIsAQuadraticTerm) {
   const Scope scope = reaction();
-  const Candidate junction =
-      candidate_of<kExponentialConduction>(scope, 1, "exp(T/scale)-1");
+  const Candidate junction = candidate_of<kExponentialConduction>(scope, 1, "exp(T/scale)-1");
   EXPECT_TRUE(reading_of<kExponentialConduction>(scope, junction, -1.0, Vector::Ones(1)));
   EXPECT_FALSE(reading_of<kExponentialConduction>(
       scope, junction, -1.0, Vector::Constant(1, junction.shapes[0].high)));

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The best subset, and what many draws of rows agree on.
+#include "lacuna/solvers/best_subset.hpp"
+
 #include <gtest/gtest.h>
 
 #include <chrono>
@@ -7,7 +9,6 @@
 #include <limits>
 #include <map>
 
-#include "lacuna/solvers/best_subset.hpp"
 #include "lacuna/solvers/ensemble.hpp"
 #include "solvers/subset_fit.hpp"
 #include "support/sparse_problem.hpp"
@@ -16,8 +17,8 @@
 namespace lacuna {
 namespace {
 
-using testing::RandomRows;
 using testing::random_rows;
+using testing::RandomRows;
 
 double score_of(const RandomRows& data, const std::vector<Index>& terms, double penalty) {
   const auto n = static_cast<double>(data.y.size());

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Least squares, with and without a ridge, a general covariance and weights that come of residuals.
+// Least squares, with and without a ridge, a general covariance and weights that come of
+// residuals.
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
@@ -71,8 +72,10 @@ TEST(Ridge, ThePenaltyIsThatOfTheResidual) {
   const Vector norms = data.theta.colwise().norm();
   const double noise = (data.y - data.theta * h).squaredNorm() / 35.0;
   const double alpha = 5.0 * noise / h.cwiseProduct(norms).squaredNorm();
-  EXPECT_TRUE(Ridge().fit(system, problem).coefficients.isApprox(
-      Ridge({.alpha = alpha}).fit(system, problem).coefficients, 1e-9));
+  EXPECT_TRUE(Ridge()
+                  .fit(system, problem)
+                  .coefficients.isApprox(
+                      Ridge({.alpha = alpha}).fit(system, problem).coefficients, 1e-9));
 }
 
 /// Columns that are alike, as those of whitened rows: a penalty that does not follow the noise

@@ -20,8 +20,8 @@ using testing::sparse_problem;
 TEST(ElasticNet, OrthonormalColumnsAreThresholdedAndShrunk) {
   // min (c - z)^2 + l1 |z| + l2/2 z^2 has z = soft(c, l1/2) / (1 + l2/2).
   const Vector c = (Vector(4) << 3.0, -0.4, 0.6, -2.0).finished();
-  const Vector z = elastic_net(Matrix::Identity(4, 4), c, {Vector::Ones(4), 0.5},
-                               Vector::Zero(4));
+  const Vector z =
+      elastic_net(Matrix::Identity(4, 4), c, {Vector::Ones(4), 0.5}, Vector::Zero(4));
   const Vector expected = (Vector(4) << 2.5 / 1.25, 0.0, 0.1 / 1.25, -1.5 / 1.25).finished();
   EXPECT_TRUE(z.isApprox(expected, 1e-9)) << z;
 }
@@ -61,8 +61,8 @@ TEST(ElasticNet, FindsTheTermsAndDoesNotShrinkThem) {
   for (const Removal& gone : fit.removed) EXPECT_LT(gone.value, gone.threshold);
 }
 
-/// Model 0 of Zou 2006: the columns in y are correlated by -0.39, the other one with each of them
-/// by 0.23, so that the lasso's path takes it in before it has all of them.
+/// Model 0 of Zou 2006: the columns in y are correlated by -0.39, the other one with each of
+/// them by 0.23, so that the lasso's path takes it in before it has all of them.
 testing::RandomRows deceptive_rows(Random& random) {
   Matrix covariance = Matrix::Constant(4, 4, 0.23);
   covariance.topLeftCorner(3, 3).setConstant(-0.39);
@@ -94,14 +94,14 @@ TEST(ElasticNet, AdaptivePenaltiesFindWhatTheLassoCannot) {
 
 Regression fitted(const Regressor& regressor, const LeastSquaresSystem& system,
                   const RunContext& context = {}) {
-  return regressor.fit(system, system.subproblem(0, system.all_terms()), Effort::Final, context);
+  return regressor.fit(system, system.subproblem(0, system.all_terms()), Effort::Final,
+                       context);
 }
 
 TEST(Entropic, TakesTheTermsThatExplainTheTarget) {
   for (const double noise : {0.0, 0.01, 0.1, 0.5})
     for (const std::uint64_t seed : {5, 6, 7}) {
-      const Regression fit =
-          fitted(Entropic(), sparse_problem(500, noise, 0.0, seed));
+      const Regression fit = fitted(Entropic(), sparse_problem(500, noise, 0.0, seed));
       EXPECT_EQ(fit.active, (TermSet{1, 4, 7})) << noise << " " << seed;
       for (const Removal& gone : fit.removed) EXPECT_LE(gone.value, gone.threshold);
     }
@@ -137,7 +137,8 @@ TEST(Entropic, OutliersDoNotLeadIt) {
     EXPECT_NEAR(fit.coefficients[1], 28.0, 0.1);
     EXPECT_NEAR(fit.coefficients[2], -1.0, 0.01);
     for (const double threshold : {0.01, 0.03, 0.1, 0.3, 1.0})
-      EXPECT_NE(fitted(Stlsq({.threshold = threshold}), system).active, fit.active) << threshold;
+      EXPECT_NE(fitted(Stlsq({.threshold = threshold}), system).active, fit.active)
+          << threshold;
     EXPECT_NE(fitted(Frols(), system).active, fit.active);
   }
 }

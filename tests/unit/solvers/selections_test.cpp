@@ -88,13 +88,14 @@ TEST(Sr3, StopsWhereNeitherHalfStepMoves) {
 }
 
 TEST(Sr3, PenaltiesDifferInWhatTheyKeep) {
-  // With orthonormal columns and nu = 1 a term of y that goes on as w = z stays for good, and one
-  // that is shrunk ends at z = c - t where c > 2 t, else at c / 2, out of the model.
+  // With orthonormal columns and nu = 1 a term of y that goes on as w = z stays for good, and
+  // one that is shrunk ends at z = c - t where c > 2 t, else at c / 2, out of the model.
   const Matrix columns = Matrix::Identity(6, 4);
   const Vector y = (Vector(6) << 0.30, 0.19, 0.12, -0.21, 0.0, 0.0).finished();
   const Vector target = y / y.norm();
   const double t = 0.1 / y.norm();
-  const LeastSquaresSystem system(make_row_source(columns, target), {"a", "b", "c", "d"}, {"y"});
+  const LeastSquaresSystem system(make_row_source(columns, target), {"a", "b", "c", "d"},
+                                  {"y"});
   const auto kept = [&](Sr3Options::Penalty penalty, double clip) {
     const Sr3 regressor({.threshold = t, .penalty = penalty, .clip = clip});
     return regressor.fit(system, system.subproblem(0, system.all_terms())).active;

@@ -90,8 +90,8 @@ struct SyncResult {
 
   std::string message;  ///< on divergence: trajectory, time and state; else empty
 
-  /// The slaves, which are always there, and what was measured behind them: past the deadline of
-  /// the context that is left out.
+  /// The slaves, which are always there, and what was measured behind them: past the deadline
+  /// of the context that is left out.
   std::vector<StageDone> stages = {};
 };
 
@@ -118,8 +118,8 @@ Dataset long_enough(Dataset record, const Integrator& integrator);
 /// @throws DataError when states or inputs of the model are not in the record or when a
 /// trajectory
 ///   has fewer samples than the polynomial needs, or values beyond the range of numbers;
-///   ArgumentError for a K or a start of the wrong shape; Cancelled; OutOfTime where the deadline
-///   passes before the slaves are at the end.
+///   ArgumentError for a K or a start of the wrong shape; Cancelled; OutOfTime where the
+///   deadline passes before the slaves are at the end.
 SyncResult synchronise(const OdeModel& model, const Dataset& record,
                        const Integrator& integrator, const SyncOptions& options = {},
                        const RunContext& context = {});

@@ -42,7 +42,7 @@ struct BenchCell {
   double noise = 0.0;
   std::vector<BenchScore> scores;
   std::vector<std::string> failures;  ///< of draws that gave no model: what was wrong
-  bool done = true;  ///< false: the deadline came before its last draw
+  bool done = true;                   ///< false: the deadline came before its last draw
 };
 
 /// Cells by composition, then by noise.

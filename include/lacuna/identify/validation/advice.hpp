@@ -47,8 +47,8 @@ struct AdviceTask {
 };
 
 /// What to try where a model does not fit: for each of its equations the form that the residual
-/// asks for, if one stands out (FormSearch), as far as the pipeline keeps it where it is offered,
-/// else `lacuna diagnose`. Each advice costs one more identification.
+/// asks for, if one stands out (FormSearch), as far as the pipeline keeps it where it is
+/// offered, else `lacuna diagnose`. Each advice costs one more identification.
 /// @throws OutOfTime past the deadline.
 std::vector<std::string> advice_for(const AdviceTask& asked_for,
                                     const AdviceOptions& options = {},

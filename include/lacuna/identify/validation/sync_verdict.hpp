@@ -61,8 +61,8 @@ Admission admission_of(const SyncResult& result);
 /// - Where nothing measured moves there is no verdict; nor is there one on an integration that
 ///   could not go on (StepTooSmall).
 /// - Nor does an error show anything in fewer samples than ValidationOptions::least_freedom, or
-///   where the slave has not forgotten the noise of its first sample: an error below three times
-///   SyncResult::start_response beside the floor of the state.
+///   where the slave has not forgotten the noise of its first sample: an error below three
+///   times SyncResult::start_response beside the floor of the state.
 /// - What fixed steps of the integrator add (SyncResult::step_errors) is taken off the errors;
 ///   where these are still above, and below what the steps add, there is no verdict.
 /// @param record that drove the slave, in the states of the model.

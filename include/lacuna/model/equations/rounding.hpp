@@ -24,8 +24,8 @@ int digits_of(double value, double error);
 /// Half of the 95 % interval of a coefficient, where it is known and not 0.
 std::optional<double> half_interval(const WeightedTerm& summand);
 
-/// A formula with its numbers rounded to so many significant digits, and sums with them as people
-/// write these: "-y" for 0-y, "x+2" for x-(-2). Delays of numbers are rounded, too.
+/// A formula with its numbers rounded to so many significant digits, and sums with them as
+/// people write these: "-y" for 0-y, "x+2" for x-(-2). Delays of numbers are rounded, too.
 Expression with_rounded_numbers(const Expression& formula, int digits);
 
 /// The model with coefficients and values of parameters rounded: by their 95 % intervals, or to

@@ -215,8 +215,9 @@ std::vector<Experiment> experiments_of(const Fit& fit, const Dataset& data,
 /// expected log Bayes factor for i where i is right is
 /// (E d' C_j^-1 d - tr (M_j + S_j' S_j)^-1 S_j' S_j + log det C_j - log det C_i) / 2, with the
 /// expectation over draws of the numbers of i; of the design that is taken, rivals are refitted
-/// by iterated Gauss-Newton steps. Designs are sought from seeded random ones, the best of which
-/// are improved by NLopt's Sbplx. Same problem and seed, same plan, whatever the threads are.
+/// by iterated Gauss-Newton steps. Designs are sought from seeded random ones, the best of
+/// which are improved by NLopt's Sbplx. Same problem and seed, same plan, whatever the threads
+/// are.
 /// @throws ArgumentError for a problem that does not fit together (names, ranges, sizes);
 ///   ModelError for a delayed state and as SystemModel::parametrised(); Cancelled; OutOfTime
 ///   where the deadline passes before a design is judged and checked.

@@ -28,7 +28,8 @@ struct FitOptions {
   /// At most so many starts anywhere in the ranges of parameters, wherever the first fit ends;
   /// nothing: range_starts where a range is wide and residuals are above the noise.
   std::optional<int> starts = {};
-  /// With few samples, and with many: one in seven comes to the best minimum of published problems.
+  /// With few samples, and with many: one in seven comes to the best minimum of published
+  /// problems.
   int range_starts = 60, range_starts_of_many = 10;
   /// Quick: from the given start alone, intervals by standard errors. Full: profiles of the
   /// likelihood of every parameter, whatever they cost.

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Candidates along records, their screening and what is kept of fits.
+#include "diagnose/candidates/candidate_column.hpp"
+
 #include <gtest/gtest.h>
 
 #include <functional>
 #include <set>
 
 #include "core/base/parallel.hpp"
-#include "diagnose/candidates/candidate_column.hpp"
 #include "diagnose/candidates/fit_memory.hpp"
 #include "diagnose/candidates/name_table.hpp"
 #include "diagnose/candidates/screening.hpp"

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include "lacuna/diagnose/candidates/explanation.hpp"
+
 #include <gtest/gtest.h>
 
 #include <Eigen/QR>
@@ -6,7 +8,6 @@
 
 #include "diagnose/candidates/candidate_column.hpp"
 #include "diagnose/candidates/shape_step.hpp"
-#include "lacuna/diagnose/candidates/explanation.hpp"
 #include "support/assimilated_oscillator.hpp"
 
 namespace lacuna {

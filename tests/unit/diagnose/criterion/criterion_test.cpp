@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The criterion of a diagnosis, and what an effect contributes.
+#include "lacuna/diagnose/criterion/criterion.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -9,7 +11,6 @@
 #include "diagnose/criterion/holdout.hpp"
 #include "diagnose/criterion/shape_bounds.hpp"
 #include "lacuna/core/base/options.hpp"
-#include "lacuna/diagnose/criterion/criterion.hpp"
 #include "lacuna/diagnose/criterion/extended_bic.hpp"
 #include "lacuna/diagnose/criterion/options.hpp"
 #include "lacuna/trajectories/smoother/disturbance_test.hpp"
@@ -208,7 +209,8 @@ TEST(ShapeBounds, ARangeEndsWhereASearchResolvesNoMore) {
   EXPECT_FALSE(is_on_bound(shape, 0.102));
   EXPECT_TRUE(is_on_bound(shape, 9.995));
   EXPECT_FALSE(is_on_bound(shape, 9.9));
-  EXPECT_TRUE(is_on_bound({"edge", "m", 0.0, 1.0, false}, 0.0009)) << "a thousandth of the range";
+  EXPECT_TRUE(is_on_bound({"edge", "m", 0.0, 1.0, false}, 0.0009))
+      << "a thousandth of the range";
 }
 
 }  // namespace

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What records say of units, signs and motions before anything is searched.
+#include "lacuna/diagnose/hints/hints.hpp"
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -9,7 +11,6 @@
 #include "diagnose/hints/motion_hints.hpp"
 #include "diagnose/hints/unit_hints.hpp"
 #include "diagnose/hints/unused_columns.hpp"
-#include "lacuna/diagnose/hints/hints.hpp"
 #include "lacuna/model/files/ode_text.hpp"
 #include "lacuna/records/binding/read_records.hpp"
 #include "support/diagnosis_scope.hpp"

@@ -15,9 +15,9 @@
 namespace lacuna {
 namespace {
 
-using ::testing::HasSubstr;
 using support::hidden_record;
 using support::nothing;
+using ::testing::HasSubstr;
 
 // Slips of units, signs and clocks: what is found and what is said of it.
 const OdeModel kHinted = support::oscillator();  // q, v; F, time in s

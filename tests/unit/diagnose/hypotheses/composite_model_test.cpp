@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Composite models and what they are made of.
+#include "lacuna/diagnose/hypotheses/composite_model.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -8,7 +10,6 @@
 #include "diagnose/hypotheses/channel_forms.hpp"
 #include "diagnose/hypotheses/named_effects.hpp"
 #include "lacuna/diagnose/criterion/extended_bic.hpp"
-#include "lacuna/diagnose/hypotheses/composite_model.hpp"
 #include "lacuna/diagnose/journey/diagnose.hpp"
 #include "support/asked.hpp"
 #include "support/assimilated_oscillator.hpp"

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Inputs that were recorded with noise, seldom or otherwise than they act.
+#include "diagnose/hypotheses/corrected_inputs.hpp"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -7,7 +9,6 @@
 
 #include "cli/configuration/diagnosis_configuration.hpp"
 #include "core/base/random.hpp"
-#include "diagnose/hypotheses/corrected_inputs.hpp"
 #include "diagnose/hypotheses/input_noise.hpp"
 #include "diagnose/hypotheses/sensor_fault.hpp"
 #include "lacuna/diagnose/journey/diagnose.hpp"

@@ -143,14 +143,12 @@ TEST(UnmeasuredInput, RecoversSizeAndMemory) {
 
 TEST(UnmeasuredInput, TakesThePlaceOfAFunctionOfTimeThatLeavesStructure) {
   // A slow process looks like a line over one record, and shows most of its motion.
-  const auto slow = [](double t, double q, double v) {
-    return 0.1 * t + 0.5 * gusts(t, q, v);
-  };
+  const auto slow = [](double t, double q, double v) { return 0.1 * t + 0.5 * gusts(t, q, v); };
   const support::Asked asked = asked_with(slow);
   CompositeModel best = asked.bare();
   const Candidate line = support::plain_candidate("t");
-  best.explanation = explain_on(asked.problem(), *best.base, best.base->fitted,
-                                {{line, Vector(0), 0.1, 0.0}});
+  best.explanation =
+      explain_on(asked.problem(), *best.base, best.base->fitted, {{line, Vector(0), 0.1, 0.0}});
   best.named = {{.equation = 1, .name = "time-trend", .probability = 0.9}};
   best.left = structure_left(asked.problem(), best.explanation.fit);
   ASSERT_TRUE(leaves_structure(best, asked.options.decision));

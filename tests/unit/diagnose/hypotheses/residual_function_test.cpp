@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
+#include "diagnose/hypotheses/residual_function.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <string>
 
 #include "diagnose/hypotheses/input_noise.hpp"
-#include "diagnose/hypotheses/residual_function.hpp"
 #include "support/asked.hpp"
 #include "support/assimilated_oscillator.hpp"
 
@@ -68,10 +69,10 @@ void expect_formula(const std::string& function, const support::Hidden& hidden) 
   const std::string& formula = composite.unnamed->formula;
   ASSERT_NE(formula.find(function), std::string::npos) << formula;
   const LinearisedRecord& record = composite.base->fitted.records[0];
-  const Vector found = evaluate_on(record, composite.base->fitted.model.variables(),
-                                   parse_expression(formula));
-  const Vector q = evaluate_on(record, composite.base->fitted.model.variables(),
-                               parse_expression("q"));
+  const Vector found =
+      evaluate_on(record, composite.base->fitted.model.variables(), parse_expression(formula));
+  const Vector q =
+      evaluate_on(record, composite.base->fitted.model.variables(), parse_expression("q"));
   const Vector truth = q.unaryExpr([&](double x) { return hidden(0.0, x, 0.0); });
   EXPECT_LT((found - truth).squaredNorm(), 0.003 * truth.squaredNorm()) << formula;
 }
@@ -87,18 +88,18 @@ TEST(CurveFormula, IsAnExponential) {
 }
 
 TEST(CurveFormula, OfAPhaseThatIsNoneIsWithoutIt) {
-  const std::string formula =
-      described([](double, double q, double) { return -3.0 * std::sin(4.0 * q); })
-          .unnamed->formula;
+  const std::string formula = described([](double, double q, double) {
+                                return -3.0 * std::sin(4.0 * q);
+                              }).unnamed->formula;
   ASSERT_NE(formula.find("sin("), std::string::npos) << formula;
   EXPECT_EQ(formula.find('+'), std::string::npos) << formula;
 }
 
 TEST(CurveFormula, IsNoneWhereAllFallShortOfTheCurve) {
-  const Unnamed said = *described([](double, double q, double) {
-                          return 2.0 * std::sin(4.0 * q + 0.7) +
-                                 8.0 * std::exp(-50.0 * (q - 0.1) * (q - 0.1));
-                        }).unnamed;
+  const Unnamed said =
+      *described([](double, double q, double) {
+         return 2.0 * std::sin(4.0 * q + 0.7) + 8.0 * std::exp(-50.0 * (q - 0.1) * (q - 0.1));
+       }).unnamed;
   EXPECT_GT(said.explained, 0.9);
   EXPECT_EQ(said.formula, "");
 }
@@ -113,8 +114,7 @@ constexpr Index kTried = 100;  // candidates of which an effect was the best
 CompositeModel named(const support::Asked& asked, const std::vector<FittedEffect>& effects) {
   const Problem problem = asked.problem();
   CompositeModel composite = asked.bare();
-  composite.explanation =
-      explain_on(problem, *composite.base, composite.base->fitted, effects);
+  composite.explanation = explain_on(problem, *composite.base, composite.base->fitted, effects);
   for (const FittedEffect& effect : effects)
     composite.named.push_back(
         {.equation = 1, .name = effect.candidate.form.to_string(), .tried = kTried});
@@ -140,8 +140,8 @@ TEST(WrongShapes, AreThoseThatACurveOfTheirArgumentShowsToBeOthers) {
 }
 
 TEST(WrongShapes, IsAPlainTermWhereALawLeavesNothing) {
-  const support::Asked asked = support::asked(
-      [](double, double q, double) { return -3.0 * std::sin(2.0 * q); }, 0.002);
+  const support::Asked asked =
+      support::asked([](double, double q, double) { return -3.0 * std::sin(2.0 * q); }, 0.002);
   const CompositeModel composite = named(asked, {plain_effect("q^3")});
   ASSERT_TRUE(has_residual_structure(composite.left, asked.options.decision));
   const auto wrong = wrong_shapes(asked.problem(), composite);

@@ -57,8 +57,7 @@ TEST(SensorCalibration, AConstantForceDoesAsWellAsAnOffset) {
 }
 
 TEST(SensorCalibration, TheTwinOfAnOffsetInTwoEquationsIsBothConstantsTogether) {
-  const support::Asked asked =
-      with_sensor(1, [](double v, double) { return v + 0.2; });
+  const support::Asked asked = with_sensor(1, [](double v, double) { return v + 0.2; });
   CompositeModel best = asked.bare();
   std::vector<FittedEffect> constants;
   for (const Index equation : {0, 1}) {
@@ -211,9 +210,8 @@ TEST(SensorPickup, AForceStaysOne) {
 }
 
 TEST(SensorPickup, OtherRecordsHaveTheirOwnPhase) {
-  const Diagnosis found =
-      diagnose(support::oscillator(), humming(3, 0.4, 0.5), humming(4, 2.5, -0.6),
-               DiagnosisOptions{}, RunContext{});
+  const Diagnosis found = diagnose(support::oscillator(), humming(3, 0.4, 0.5),
+                                   humming(4, 2.5, -0.6), DiagnosisOptions{}, RunContext{});
   ASSERT_EQ(found.effects.size(), 1u);
   EXPECT_EQ(found.effects[0].name, "sensor-offset");
   EXPECT_EQ(found.verdict, Verdict::Explained);

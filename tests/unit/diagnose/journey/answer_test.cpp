@@ -255,7 +255,8 @@ TEST_F(Answer, CoefficientsAreOffFromBothThresholdsOn) {
 TEST_F(Answer, WhatExplainsHardlyAnythingStandsApart) {
   CompositeModel judged = composite("sign(v)");
   for (const char* form : {"v*abs(v)", "q^3"})
-    judged.explanation.effects.push_back({support::plain_candidate(form), Vector(0), -0.1, 0.01});
+    judged.explanation.effects.push_back(
+        {support::plain_candidate(form), Vector(0), -0.1, 0.01});
   judged.named = {{.equation = 1, .name = "first", .gap_closed = 4e-4},
                   {.equation = 1, .name = "second", .gap_closed = 0.9},
                   {.equation = 1, .name = "third", .gap_closed = 2e-3}};

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
+#include "diagnose/journey/coefficient_changes.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "diagnose/journey/coefficient_changes.hpp"
 #include "diagnose/journey/identifiability.hpp"
 #include "support/asked.hpp"
 #include "support/assimilated_oscillator.hpp"

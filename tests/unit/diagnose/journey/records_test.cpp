@@ -117,7 +117,8 @@ TEST(FittedStart, HasTheCoefficientsOfTheRecord) {
 TEST(FittedStart, KeepsOneOfTheNumbersThatAreKnownOnlyTogether) {
   const std::string text =
       "input u hold linear\ndp/dt = -0.5*p + 0.4*u\ndq/dt = 0.6*p - 0.8*q\n";
-  const OdeModel truth = parse_ode(text + "y = q\n", "t.ode"), nominal = parse_ode(text, "n.ode");
+  const OdeModel truth = parse_ode(text + "y = q\n", "t.ode"),
+                 nominal = parse_ode(text, "n.ode");
   Dataset columns =
       support::grey_box_columns(truth, {.start = Vector{{1.0, 1.0}}, .noise = 0.002});
   columns.states[0].name = "q";
@@ -152,13 +153,16 @@ TEST(FittedStart, IsNoneWhereNoRunIsFinite) {
 // Parameters that stand in outputs only.
 /// A cell with one RC pair that nobody measures.
 SystemModel cell(const std::string& voltage) {
-  return parse_ode_system("time s\ninput I [A] hold zero\nparam tau = 40\nparam C = 2500\n"
-                          "param R0 = 0.05\nparam U0 = 3.7\ndV/dt = I/C - V/tau\n"
-                          "U = " + voltage + " [V]\ninitial V = 0\n",
-                          "cell");
+  return parse_ode_system(
+      "time s\ninput I [A] hold zero\nparam tau = 40\nparam C = 2500\n"
+      "param R0 = 0.05\nparam U0 = 3.7\ndV/dt = I/C - V/tau\n"
+      "U = " +
+          voltage + " [V]\ninitial V = 0\n",
+      "cell");
 }
 
-/// Its voltage with tau 50 s, C 2000 F, R0 0.06 Ohm, U0 3.65 V; exact steps of the held current.
+/// Its voltage with tau 50 s, C 2000 F, R0 0.06 Ohm, U0 3.65 V; exact steps of the held
+/// current.
 Dataset measured_on(const SystemModel& model) {
   constexpr Index kSamples = 1200;
   Random random(4);

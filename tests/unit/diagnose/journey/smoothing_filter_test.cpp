@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Filters that records went through before they were written.
+#include "diagnose/journey/smoothing_filter.hpp"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -9,7 +11,6 @@
 
 #include "core/base/random.hpp"
 #include "diagnose/journey/smoothed_records.hpp"
-#include "diagnose/journey/smoothing_filter.hpp"
 #include "lacuna/data/records/marks.hpp"
 #include "support/asked.hpp"
 

@@ -226,7 +226,8 @@ TEST(DefaultDiagnosis, FindsColumnsByTheirNames) {
 // A part that hangs on a spring and that nobody measured.
 constexpr double kSpring = 30.0, kDamper = 0.4, kMass = 0.3;
 
-/// q, v of support::oscillator() with a mass p, w on a spring and a damper, levels for the force.
+/// q, v of support::oscillator() with a mass p, w on a spring and a damper, levels for the
+/// force.
 Dataset with_a_mass(std::uint64_t seed) {
   Dataset data = support::hidden_record(support::nothing, 0.0);
   Trajectory& record = data.trajectories[0];

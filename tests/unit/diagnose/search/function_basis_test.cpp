@@ -129,8 +129,8 @@ TEST_F(Scoring, WhatRecursIsInBothHalves) {
             0.05);
 }
 
-/// A force that repeats every 0.31 m: periods in the range are known to a quarter, and a quarter
-/// of one at a time is tried from two on.
+/// A force that repeats every 0.31 m: periods in the range are known to a quarter, and a
+/// quarter of one at a time is tried from two on.
 TEST(PeriodSearch, FindsWhatRepeatsAlongAVariable) {
   constexpr double kPeriod = 0.31;
   const auto teeth = [](double, double q, double) {

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The search for effects, and what they are called.
+#include "diagnose/search/search.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -7,7 +9,6 @@
 #include "diagnose/candidates/search_memory.hpp"
 #include "diagnose/search/effect_names.hpp"
 #include "diagnose/search/effect_size.hpp"
-#include "diagnose/search/search.hpp"
 #include "support/asked.hpp"
 #include "support/assimilated_oscillator.hpp"
 #include "support/own_effects.hpp"

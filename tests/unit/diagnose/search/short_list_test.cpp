@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include "diagnose/search/short_list.hpp"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -6,7 +8,6 @@
 
 #include "cli/configuration/diagnosis_configuration.hpp"
 #include "diagnose/search/shared_form.hpp"
-#include "diagnose/search/short_list.hpp"
 #include "diagnose/search/window_refit.hpp"
 #include "lacuna/cli/configuration/registry.hpp"
 #include "support/asked.hpp"

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Integrators with fixed and with their own steps, and stiff ones.
+#include "lacuna/dynamics/integration/runge_kutta.hpp"
+
 #include <gtest/gtest.h>
 
 #include <array>
@@ -11,7 +13,6 @@
 #include "lacuna/dynamics/integration/automatic.hpp"
 #include "lacuna/dynamics/integration/butcher_tableau.hpp"
 #include "lacuna/dynamics/integration/cvode.hpp"
-#include "lacuna/dynamics/integration/runge_kutta.hpp"
 #include "lacuna/dynamics/integration/simulate.hpp"
 #include "support/stiff_models.hpp"
 
@@ -349,7 +350,8 @@ TEST(Automatic, FollowsAGateWithNanosecondsAndMilliseconds) {
   EXPECT_NEAR(x(5, 1), 1.0 - std::exp(-5.0 * 1e-5 / 1e-3), 1e-4);
 }
 
-// Held while |1.2 cos(0.7 t)| < 0.5 at rest; else the sign of the velocity is that of the force.
+// Held while |1.2 cos(0.7 t)| < 0.5 at rest; else the sign of the velocity is that of the
+// force.
 TEST(Automatic, RestsOnDryFrictionAndSlipsAgain) {
   const auto swinging = [](double t, const double* x, double* dxdt) {
     const double sign = x[1] > 0.0 ? 1.0 : x[1] < 0.0 ? -1.0 : 0.0;

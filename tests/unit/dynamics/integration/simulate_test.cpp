@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Integrators, and simulations along recorded inputs.
+#include "lacuna/dynamics/integration/simulate.hpp"
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -12,7 +14,6 @@
 #include "lacuna/dynamics/integration/integrator.hpp"
 #include "lacuna/dynamics/integration/record_input.hpp"
 #include "lacuna/dynamics/integration/runge_kutta.hpp"
-#include "lacuna/dynamics/integration/simulate.hpp"
 
 namespace lacuna {
 namespace {

@@ -25,8 +25,7 @@ TEST(Synchroniser, PastTheDeadlineTheSlavesStayAndTheRestIsLeftOut) {
   const Vector noise = Vector::Constant(3, 0.01);
   RunContext context;
   end_at(context, "synchronising", 2);  // the second slave shows the response to noise
-  const SyncResult cut =
-      synchronise(system.model, record, Rk4{}, {.noise = noise}, context);
+  const SyncResult cut = synchronise(system.model, record, Rk4{}, {.noise = noise}, context);
   const SyncResult whole = synchronise(system.model, record, Rk4{}, {.noise = noise});
   EXPECT_EQ(cut.median, whole.median);
   EXPECT_EQ(cut.response, Vector::Zero(3));

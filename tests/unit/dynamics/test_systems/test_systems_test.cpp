@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
 // Test systems and circuits, and what is measured of them.
+#include "lacuna/dynamics/test_systems/test_systems.hpp"
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <zlib.h>
 
 #include <algorithm>
 #include <cmath>
 #include <memory>
-#include <zlib.h>
 
 #include "core/files/atomic_file.hpp"
 #include "dynamics/test_systems/rossler_circuit.hpp"
@@ -17,7 +19,6 @@
 #include "lacuna/dynamics/integration/runge_kutta.hpp"
 #include "lacuna/dynamics/integration/simulate.hpp"
 #include "lacuna/dynamics/test_systems/measurement.hpp"
-#include "lacuna/dynamics/test_systems/test_systems.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace lacuna {

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Candidates, the scope and the forms that effects propose.
+#include "lacuna/forms/candidate/candidate.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -10,7 +12,6 @@
 #include "lacuna/core/base/error.hpp"
 #include "lacuna/effects/families.hpp"
 #include "lacuna/effects/forms.hpp"
-#include "lacuna/forms/candidate/candidate.hpp"
 #include "lacuna/forms/candidate/effect.hpp"
 #include "lacuna/forms/candidate/scope.hpp"
 #include "lacuna/model/files/ode_text.hpp"

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Searches for the shapes of forms.
+#include "forms/candidate/shape_search.hpp"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -9,7 +11,6 @@
 
 #include "forms/candidate/gauss_newton.hpp"
 #include "forms/candidate/nelder_mead.hpp"
-#include "forms/candidate/shape_search.hpp"
 
 namespace lacuna {
 namespace {
@@ -174,9 +175,7 @@ TEST(GaussNewton, FindsTheShapeOfACurveToTheLastDigitsInFewEvaluations) {
 
 TEST(GaussNewton, FindsTheLeastOfWhatLeavesResiduals) {
   // (p - 1/4)^2 + 1/4 (p - 1)^2 is least where 5 p = 2.
-  const auto left = [](const Vector& p) {
-    return Vector{{p[0] - 0.25, 0.5 * (p[0] - 1.0)}};
-  };
+  const auto left = [](const Vector& p) { return Vector{{p[0] - 0.25, 0.5 * (p[0] - 1.0)}}; };
   const CubeMinimum found = gauss_newton(left, Vector::Constant(1, 0.9));
   EXPECT_TRUE(found.converged);
   EXPECT_NEAR(found.point[0], 0.4, 1e-5);

@@ -56,8 +56,8 @@ TEST(DelayedInputs, RecordsOfWhichLittleRemainsAreLeftOut) {
 }
 
 TEST(DelayedInputs, AreWrittenAsDelays) {
-  IdentificationResult result{parse_ode("input u\ninput v\ndx/dt = 2*u^2 - x*u + 3*v\n", "made"),
-                              {}, {}, {}, {}, {}};
+  IdentificationResult result{
+      parse_ode("input u\ninput v\ndx/dt = 2*u^2 - x*u + 3*v\n", "made"), {}, {}, {}, {}, {}};
   result.trail = {{.equation = "x", .term = "x*u"}};
   const IdentificationResult late =
       with_delays_written(std::move(result), (Vector(2) << 0.25, 0.0).finished());

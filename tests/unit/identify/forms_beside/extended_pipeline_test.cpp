@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include "identify/forms_beside/extended_pipeline.hpp"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -7,7 +9,6 @@
 #include <vector>
 
 #include "core/base/random.hpp"
-#include "identify/forms_beside/extended_pipeline.hpp"
 #include "identify/forms_beside/function_forms.hpp"
 #include "identify/forms_beside/model_comparison.hpp"
 #include "lacuna/data/records/noise.hpp"

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Rows of a search for forms, and what forms leave of them.
+#include "identify/forms_beside/form_problem.hpp"
+
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
@@ -10,7 +12,6 @@
 
 #include "core/base/random.hpp"
 #include "identify/forms_beside/base_columns.hpp"
-#include "identify/forms_beside/form_problem.hpp"
 #include "identify/forms_beside/form_rows.hpp"
 
 namespace lacuna {

@@ -158,8 +158,8 @@ TEST(RationalForms, ADenominatorHasFourMonomialsWhereItNeedsThem) {
       "dy/dt = 1.5*x*y/(1+1.2*x+0.7*y+0.9*x*y) - 0.5*y",
       Eigen::Vector2d(2.5, 0.3));
   EXPECT_TRUE(std::any_of(all.begin(), all.end(), [](const Candidate& candidate) {
-    return candidate.shapes.size() == 3 && candidate.argument.to_string().find("x*y") !=
-                                               std::string::npos;
+    return candidate.shapes.size() == 3 &&
+           candidate.argument.to_string().find("x*y") != std::string::npos;
   }));
   const auto few = fractions_of(
       "dx/dt = 1.1*x - 0.4*x^2 - 2.6*x*y/(1+1.7*x+0.6*y)\n"

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
+#include "identify/forms_beside/identify_with_forms.hpp"
+
 #include <gtest/gtest.h>
 
 #include <array>
 #include <cmath>
 #include <functional>
 
-#include "identify/forms_beside/identify_with_forms.hpp"
 #include "lacuna/cli/configuration/registry.hpp"
 #include "lacuna/dynamics/integration/runge_kutta.hpp"
 #include "lacuna/dynamics/test_systems/measurement.hpp"

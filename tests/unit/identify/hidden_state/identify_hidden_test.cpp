@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // States that no column shows.
+#include "identify/hidden_state/identify_hidden.hpp"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -9,7 +11,6 @@
 #include <string>
 
 #include "core/base/random.hpp"
-#include "identify/hidden_state/identify_hidden.hpp"
 #include "identify/hidden_state/polynomial.hpp"
 #include "identify/hidden_state/sparse_coordinates.hpp"
 #include "lacuna/bases/monomials.hpp"

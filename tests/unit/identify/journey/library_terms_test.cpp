@@ -145,9 +145,9 @@ TEST_F(LowerTerms, APowerThatStandsInForThemGoes) {
   odd.model = odd.model.with_equations(equations);
   EXPECT_THAT(terms_after(odd), Not(Contains(names_[3])));
   EXPECT_THAT(terms_after(odd), Contains(names_[4]));
-  EXPECT_THAT(result_->trail, Contains(::testing::AllOf(
-                                  ::testing::Field(&TrailEntry::term, names_[3]),
-                                  ::testing::Field(&TrailEntry::stage, "lower terms"))));
+  EXPECT_THAT(result_->trail,
+              Contains(::testing::AllOf(::testing::Field(&TrailEntry::term, names_[3]),
+                                        ::testing::Field(&TrailEntry::stage, "lower terms"))));
 }
 
 TEST_F(LowerTerms, ASquareAboutTheCentreStays) {
@@ -192,7 +192,8 @@ TEST(DistinctPowers, OfTwoValuesOnlyTheFirst) {
   std::vector<std::string> warnings;
   const Pipeline pipeline =
       with_distinct_powers(of_degree(3), step_test({0.0, 1.0}, 100, 0.0, 1), warnings);
-  EXPECT_THAT(names(pipeline), UnorderedElementsAre("1", "w", "u", "w^2", "w*u", "w^3", "w^2*u"));
+  EXPECT_THAT(names(pipeline),
+              UnorderedElementsAre("1", "w", "u", "w^2", "w*u", "w^3", "w^2*u"));
   ASSERT_EQ(warnings.size(), 1u);
   EXPECT_THAT(warnings[0], HasSubstr("u takes 2 values"));
 }
@@ -219,9 +220,9 @@ TEST(StepTest, HasTwoTermsWhateverTheSteps) {
     double noise;
   };
   int tried = 0, exact = 0;
-  for (const Shape& shape : {Shape{{0.0, 1.0}, 300, 0.02}, Shape{{-1.0, 1.0}, 40, 0.02},
-                             Shape{{0.0, 0.25, 0.5, 0.75, 1.0}, 50, 0.02},
-                             Shape{{0.0, 0.3, 1.0}, 60, 0.05}})
+  for (const Shape& shape :
+       {Shape{{0.0, 1.0}, 300, 0.02}, Shape{{-1.0, 1.0}, 40, 0.02},
+        Shape{{0.0, 0.25, 0.5, 0.75, 1.0}, 50, 0.02}, Shape{{0.0, 0.3, 1.0}, 60, 0.05}})
     for (const std::uint64_t seed : {1U, 2U, 3U}) {
       const Identification found =
           identify_records(step_test(shape.values, shape.length, shape.noise, seed));
@@ -251,8 +252,8 @@ TEST(StepTest, AMapKeepsItsInputs) {
   EXPECT_NEAR(model.coefficient(0, "u"), 1.0, 1e-9);
 }
 
-/// dw/dt = -a w - b w u + 10 u under an input that is u0 for 200 samples and then jumps between 1
-/// and u0 every `length`, solved exactly from sample to sample; noise 0.02.
+/// dw/dt = -a w - b w u + 10 u under an input that is u0 for 200 samples and then jumps between
+/// 1 and u0 every `length`, solved exactly from sample to sample; noise 0.02.
 Dataset record_of(double a, double b, double u0, Index length, std::uint64_t seed) {
   constexpr Index kSamples = 800;
   constexpr double kStep = 0.02;

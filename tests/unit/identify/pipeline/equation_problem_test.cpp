@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Equations with terms and constraints of their own, and in little time.
+#include "identify/pipeline/equation_problem.hpp"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -10,7 +12,6 @@
 #include <utility>
 
 #include "core/base/random.hpp"
-#include "identify/pipeline/equation_problem.hpp"
 #include "identify/pipeline/equation_terms.hpp"
 #include "identify/pipeline/given_rates.hpp"
 #include "lacuna/bases/monomials.hpp"
@@ -224,9 +225,7 @@ bool is_left_out(const IdentificationResult& result, const std::string& name) {
 }
 
 /// Exact derivatives of Lorenz' system at random points, and a library of so high a degree.
-Dataset lorenz_points() {
-  return random_points(test_system("lorenz").model, 400, 20.0, 3);
-}
+Dataset lorenz_points() { return random_points(test_system("lorenz").model, 400, 20.0, 3); }
 
 Pipeline wide(Stage<Regressor> regressor) {
   Pipeline pipeline = algorithm1();

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Identification by a pipeline, and presets.
+#include "lacuna/identify/pipeline/pipeline.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -10,7 +12,6 @@
 #include "lacuna/bases/monomials.hpp"
 #include "lacuna/data/derivatives/finite_differences.hpp"
 #include "lacuna/dynamics/integration/synchroniser.hpp"
-#include "lacuna/identify/pipeline/pipeline.hpp"
 #include "lacuna/identify/pipeline/presets.hpp"
 #include "lacuna/identify/pipeline/validation.hpp"
 #include "lacuna/regression/filters/none.hpp"

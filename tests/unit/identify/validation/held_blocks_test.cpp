@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Predictions of what a model has not seen.
+#include "identify/validation/held_blocks.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <string>
 
 #include "core/base/random.hpp"
-#include "identify/validation/held_blocks.hpp"
 #include "identify/validation/map_predictions.hpp"
 #include "identify/validation/predicted_records.hpp"
 #include "identify/validation/prediction_windows.hpp"

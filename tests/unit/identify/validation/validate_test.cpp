@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Models beside records that did not choose them.
+#include "identify/validation/validate.hpp"
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "identify/validation/held_blocks.hpp"
 #include "identify/validation/refit.hpp"
-#include "identify/validation/validate.hpp"
 #include "lacuna/cli/configuration/registry.hpp"
 #include "lacuna/core/base/error.hpp"
 #include "lacuna/data/derivatives/finite_differences.hpp"

@@ -151,8 +151,8 @@ std::string name_of(int i, int j) {
   return "x^" + std::to_string(i) + "*y^" + std::to_string(j);
 }
 
-/// The terms on points of a circle around 0, where each degree k > 0 has two functions more, the
-/// sine and the cosine of k times the angle.
+/// The terms on points of a circle around 0, where each degree k > 0 has two functions more,
+/// the sine and the cosine of k times the angle.
 LeastSquaresSystem on_a_circle(const Powers& powers, double radius, double noise) {
   constexpr Index kPoints = 400;
   Random random(6);
@@ -189,8 +189,7 @@ TEST(Vca, RemovalsSayWhatVanishedInWhichDegree) {
 
 TEST(Vca, TermsOfLowDegreeStayWhereverTheyStand) {
   const Powers reversed(kUpToThree.rbegin(), kUpToThree.rend());
-  EXPECT_EQ(Vca().filter(on_a_circle(reversed, 1.0, 0.0)).kept,
-            (TermSet{1, 2, 4, 5, 7, 8, 9}));
+  EXPECT_EQ(Vca().filter(on_a_circle(reversed, 1.0, 0.0)).kept, (TermSet{1, 2, 4, 5, 7, 8, 9}));
 }
 
 TEST(Vca, ToleranceIsThatOfNoisyColumns) {

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Rates as they are projected on test functions or stand at samples.
+#include "lacuna/regression/formulations/strong_form.hpp"
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -11,7 +13,6 @@
 #include "lacuna/data/derivatives/finite_differences.hpp"
 #include "lacuna/data/derivatives/savitzky_golay.hpp"
 #include "lacuna/regression/formulations/integral_form.hpp"
-#include "lacuna/regression/formulations/strong_form.hpp"
 #include "lacuna/regression/formulations/weak_form.hpp"
 #include "lacuna/regression/linear/subproblem.hpp"
 #include "regression/formulations/projection.hpp"

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Factors of rows.
+#include "regression/linear/factorise.hpp"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -11,7 +13,6 @@
 #include "lacuna/regression/linear/row_source.hpp"
 #include "lacuna/regression/linear/subproblem.hpp"
 #include "regression/linear/column_range.hpp"
-#include "regression/linear/factorise.hpp"
 #include "regression/linear/weighted_rows.hpp"
 #include "support/monomials.hpp"
 #include "support/rossler_data.hpp"
@@ -20,10 +21,10 @@
 namespace lacuna {
 namespace {
 
-using testing::Monomials;
-using testing::RosslerData;
 using testing::make_monomials;
 using testing::make_rossler_data;
+using testing::Monomials;
+using testing::RosslerData;
 
 const auto name_of_column = [](Index column) { return "column " + std::to_string(column); };
 

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Terms in the order of orthogonal least squares, and those that depend on each other.
+#include "regression/linear/forward_order.hpp"
+
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
@@ -9,7 +11,6 @@
 
 #include "lacuna/regression/linear/least_squares_system.hpp"
 #include "lacuna/regression/linear/subproblem.hpp"
-#include "regression/linear/forward_order.hpp"
 
 namespace lacuna {
 namespace {

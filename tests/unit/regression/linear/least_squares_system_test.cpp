@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The factors of a system of rows, and problems with some of its terms.
+#include "lacuna/regression/linear/least_squares_system.hpp"
+
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
@@ -7,7 +9,6 @@
 #include <stop_token>
 
 #include "lacuna/core/base/error.hpp"
-#include "lacuna/regression/linear/least_squares_system.hpp"
 #include "lacuna/regression/linear/row_source.hpp"
 #include "lacuna/regression/linear/subproblem.hpp"
 

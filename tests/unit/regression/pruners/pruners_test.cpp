@@ -87,8 +87,7 @@ void expect_losses_of_a_fresh_one(const LeastSquaresSystem& system) {
   const RunContext context;
   for (Elimination state(system, 0, system.all_terms(), ols, context); state.size() > 0;
        state = state.without({smallest(state.losses())})) {
-    const Vector fresh =
-        Elimination(system, 0, state.active(), ols, context).losses();
+    const Vector fresh = Elimination(system, 0, state.active(), ols, context).losses();
     EXPECT_LT((state.losses() - fresh).cwiseQuotient(fresh).cwiseAbs().maxCoeff(), 1e-8)
         << state.size();
   }
@@ -99,8 +98,8 @@ TEST_F(EliminationTest, LossesDoNotDriftWhileTermsLeave) {
   Matrix theta = Matrix::Random(300, 24);  // near one another, and very near
   for (Index j = 12; j < 24; ++j)
     theta.col(j) = theta.col(j - 12) + (j < 20 ? 1e-2 : 1e-4) * theta.col(j);
-  expect_losses_of_a_fresh_one({make_row_source(theta, Matrix::Random(300, 1)),
-                                std::vector<std::string>(24), {"y"}});
+  expect_losses_of_a_fresh_one(
+      {make_row_source(theta, Matrix::Random(300, 1)), std::vector<std::string>(24), {"y"}});
 }
 
 TEST(InformationCriterion, FindsRosslersTermsFromExactDerivatives) {

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include "trajectories/design/evidence.hpp"
+
 #include <gtest/gtest.h>
 
 #include <Eigen/LU>
@@ -9,7 +11,6 @@
 #include "lacuna/model/files/ode_text.hpp"
 #include "lacuna/records/binding/model_view.hpp"
 #include "lacuna/trajectories/design/plan.hpp"
-#include "trajectories/design/evidence.hpp"
 #include "trajectories/design/refit.hpp"
 
 namespace lacuna {
@@ -194,8 +195,8 @@ Dataset record(double k, double noise, std::uint64_t seed) {
 }
 
 TEST(InformationOf, IsThatOfTheFormula) {
-  const Dataset data = model_view(decay(1.0).model(), record(0.7, 0.02, 3),
-                                  FiniteDifferences{});
+  const Dataset data =
+      model_view(decay(1.0).model(), record(0.7, 0.02, 3), FiniteDifferences{});
   const Fit found = fit(decay(1.0), data, {});
   const Matrix information = information_of(found, data);
   ASSERT_EQ(information.size(), 1);
@@ -206,8 +207,8 @@ TEST(InformationOf, IsThatOfTheFormula) {
 }
 
 TEST(ExperimentsOf, AreTheRecords) {
-  const Dataset data = model_view(decay(1.0).model(), record(0.7, 0.02, 3),
-                                  FiniteDifferences{});
+  const Dataset data =
+      model_view(decay(1.0).model(), record(0.7, 0.02, 3), FiniteDifferences{});
   const Fit found = fit(decay(1.0), data, {});
   PlanProblem problem;
   problem.inputs = {{"u", 0.0, 1.0}};
@@ -249,9 +250,8 @@ TEST(ParameterPromise, IsTheSpreadOfFits) {
   constexpr int kDraws = 60;
   double squares = 0.0;
   for (int draw = 0; draw < kDraws; ++draw) {
-    const Dataset data =
-        model_view(decay(1.0).model(), record(0.7, 0.02, 100 + std::uint64_t(draw)),
-                   FiniteDifferences{});
+    const Dataset data = model_view(
+        decay(1.0).model(), record(0.7, 0.02, 100 + std::uint64_t(draw)), FiniteDifferences{});
     const Fit found = fit(decay(0.7), data, {}, {.restarts = 0});
     squares += std::pow(found.model.parameters().at(0).value - 0.7, 2);
   }

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What an experiment is planned from: signals and the precision they give.
+#include "trajectories/design/input_signals.hpp"
+
 #include <gtest/gtest.h>
 
 #include <Eigen/LU>
@@ -7,7 +9,6 @@
 #include <set>
 
 #include "core/base/random.hpp"
-#include "trajectories/design/input_signals.hpp"
 #include "trajectories/design/precision.hpp"
 
 namespace lacuna {

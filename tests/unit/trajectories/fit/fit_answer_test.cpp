@@ -18,9 +18,9 @@
 namespace lacuna {
 namespace {
 
+using testing::expect_error;
 using ::testing::HasSubstr;
 using ::testing::Not;
-using testing::expect_error;
 
 Fit fit_of_one_number(Adequate fits, bool known) {
   Fit fit{.model = parse_ode_system("param k = 1\ndx/dt = -k*x\n", "m.ode")};
@@ -122,13 +122,12 @@ constexpr const char* kBoth =
     "y = x\n";
 
 Dataset record_of(const std::string& truth, std::uint64_t seed = 1) {
-  return support::grey_box_columns(
-      parse_ode(truth, "t.ode"),
-      {.start = Vector::Constant(1, 3.0),
-       .step = 0.1,
-       .samples = 60,
-       .noise = 0.03,
-       .seed = seed});
+  return support::grey_box_columns(parse_ode(truth, "t.ode"),
+                                   {.start = Vector::Constant(1, 3.0),
+                                    .step = 0.1,
+                                    .samples = 60,
+                                    .noise = 0.03,
+                                    .seed = seed});
 }
 
 TEST(CompareFits, CriteriaAreThoseOfTheFormulas) {
@@ -139,8 +138,7 @@ TEST(CompareFits, CriteriaAreThoseOfTheFormulas) {
   EXPECT_EQ(found.values, 60.0);
   EXPECT_EQ(one.unknowns, 3.0) << "k, the start, the deviation of the noise";
   const double rmse = fitted(kFirst, data).quality[0].rmse;
-  const double log_likelihood =
-      -30.0 * (std::log(2.0 * std::numbers::pi * rmse * rmse) + 1.0);
+  const double log_likelihood = -30.0 * (std::log(2.0 * std::numbers::pi * rmse * rmse) + 1.0);
   EXPECT_NEAR(one.log_likelihood, log_likelihood, 1e-6);
   EXPECT_NEAR(one.aicc, -2.0 * log_likelihood + 6.0 + 24.0 / 56.0, 1e-6);
   EXPECT_NEAR(one.bic, -2.0 * log_likelihood + 3.0 * std::log(60.0), 1e-6);
@@ -180,8 +178,11 @@ TEST(CompareFits, OtherColumnsAreAnError) {
   const Dataset data = record_of("dx/dt = -0.5*x\ny = x\n");
   Fit other = fitted(kFirst, data);
   other.quality[0].channel = "z";
-  expect_error<DataError>([&] { compare_fits({{"a", fitted(kFirst, data)}, {"b", other}}); },
-                          "b", "not compared with the same columns as a", "outputs");
+  expect_error<DataError>(
+      [&] {
+        compare_fits({{"a", fitted(kFirst, data)}, {"b", other}});
+      },
+      "b", "not compared with the same columns as a", "outputs");
   EXPECT_THROW(compare_fits({}), ArgumentError);
 }
 

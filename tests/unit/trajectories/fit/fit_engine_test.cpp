@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What a fit is made of: records, runs along them and their quality.
+#include "trajectories/fit/fit_engine.hpp"
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -8,7 +10,6 @@
 #include "lacuna/core/base/error.hpp"
 #include "lacuna/data/records/marks.hpp"
 #include "support/grey_box.hpp"
-#include "trajectories/fit/fit_engine.hpp"
 #include "trajectories/fit/fit_quality.hpp"
 #include "trajectories/fit/fit_records.hpp"
 

@@ -349,7 +349,8 @@ TEST(Fit, TwelveRowsOfTheRightModelAreSaidToBeFew) {
   EXPECT_THAT(found.notes[0], HasSubstr("13 samples of y are too few"));
 }
 
-/// A second way out that is not there: its rate is 0, and the first one no better known for that.
+/// A second way out that is not there: its rate is 0, and the first one no better known for
+/// that.
 TEST(Fit, ARateOfNothingHasAnUpperLimitOnly) {
   const Dataset data = support::grey_box(
       parse_ode("dx/dt = -0.5*x\ny = x\n", "d.ode"),

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What records tell of parameters, and what is known before.
+#include "trajectories/fit/identifiability.hpp"
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -16,7 +18,6 @@
 #include "support/grey_box.hpp"
 #include "trajectories/fit/estimated_sizes.hpp"
 #include "trajectories/fit/fit_search.hpp"
-#include "trajectories/fit/identifiability.hpp"
 
 namespace lacuna {
 namespace {
@@ -57,9 +58,9 @@ TEST(Identifiability, ProductsQuotientsAndPowersAreNamed) {
               ElementsAre("k1 and k4 only as k1*k4"));
   EXPECT_THAT(said(Matrix{{0.25, -0.75}}, Vector{{3.0, 2.0}}, {"a", "b"}),
               ElementsAre("a and b only as a/b^2"));
-  EXPECT_THAT(said(Matrix{{5.0, 2.0, 0.0}, {0.0, 0.1, 5.0}}, Vector{{2.0, 5.0, 0.1}},
-                   {"a", "b", "c"}),
-              ElementsAre("a, b and c only as a*b and c/a"))
+  EXPECT_THAT(
+      said(Matrix{{5.0, 2.0, 0.0}, {0.0, 0.1, 5.0}}, Vector{{2.0, 5.0, 0.1}}, {"a", "b", "c"}),
+      ElementsAre("a, b and c only as a*b and c/a"))
       << "the scale of a hidden state";
 }
 
@@ -181,10 +182,10 @@ TEST(KnownBefore, AFactorIsANormalPriorOfTheLogarithm) {
 TEST(KnownBefore, APriorHoldsTheParameterOfEachRecord) {
   Dataset data = line_record(2.0, 0.0, 3);
   data.trajectories.push_back(line_record(3.0, 0.0, 4).trajectories[0]);
-  const Fit found = fit(
-      parse_ode_system("param a = 2.5 +- 0.001 per_record\ndx/dt = a\ninitial x = 0 fixed\n",
-                       "m.ode"),
-      data, {});
+  const Fit found =
+      fit(parse_ode_system(
+              "param a = 2.5 +- 0.001 per_record\ndx/dt = a\ninitial x = 0 fixed\n", "m.ode"),
+          data, {});
   ASSERT_EQ(found.numbers.at(0).per_record.size(), 2u);
   EXPECT_NEAR(found.numbers.at(0).per_record[0], 2.5, 0.05);
   EXPECT_NEAR(found.numbers.at(0).per_record[1], 2.5, 0.05);
@@ -210,12 +211,13 @@ struct Settled {
         unknowns(fit_unknowns(model, {})) {
     set_substeps(engine, 4);
     const Index records = engine.records.records();
-    minimum = minimise(engine, unknowns,
-                       {model.values().transpose().replicate(records, 1), engine.records.starts},
-                       {}, 50, {});
+    minimum = minimise(
+        engine, unknowns,
+        {model.values().transpose().replicate(records, 1), engine.records.starts}, {}, 50, {});
     engine.sigma = residual_rms(engine, unknowns, minimum.path);
     minimum.path = follow(engine, minimum.point, {});
-    for (std::size_t i = 0; i < unknowns.global.size(); ++i) kept.push_back(static_cast<Index>(i));
+    for (std::size_t i = 0; i < unknowns.global.size(); ++i)
+      kept.push_back(static_cast<Index>(i));
     linear = linearise(engine, unknowns, minimum.point, minimum.path, {});
   }
   EstimatedSizes sizes() { return estimated_sizes(engine, unknowns, minimum, linear, kept); }
@@ -272,7 +274,8 @@ struct Whole {
       for (Index j = 0; j < c; ++j)
         information(i, j) =
             0.5 * hat.block(i * n, j * n, n, n).squaredNorm() +
-            (i == j ? 0.5 * static_cast<double>(n) - hat.block(i * n, i * n, n, n).trace() : 0.0);
+            (i == j ? 0.5 * static_cast<double>(n) - hat.block(i * n, i * n, n, n).trace()
+                    : 0.0);
     const Matrix w = information.inverse();
     const double part = (static_cast<double>(n * c - x.cols())) / static_cast<double>(n * c);
     Matrix sum = Matrix::Zero(x.cols(), x.cols());

@@ -15,10 +15,9 @@ namespace lacuna {
 namespace {
 
 Dataset record_of(const std::string& truth, double start) {
-  return support::grey_box(parse_ode(truth, "truth.ode"), {.start = Vector::Constant(1, start),
-                                                           .step = 0.2,
-                                                           .samples = 30,
-                                                           .noise = 0.02});
+  return support::grey_box(
+      parse_ode(truth, "truth.ode"),
+      {.start = Vector::Constant(1, start), .step = 0.2, .samples = 30, .noise = 0.02});
 }
 
 TEST(SearchFit, BeginsElsewhereWhereTheGivenRunIsNotFinite) {
@@ -54,8 +53,8 @@ Fit fitted(const std::string& text, std::uint64_t seed) {
   return fit(parse_ode_system(text, "m.ode"), sated_predators(seed), {}, {}, context);
 }
 
-// One step for each sample meets the noise elsewhere than the model does, from the true numbers,
-// with which the model itself leaves 127 and 1.59.
+// One step for each sample meets the noise elsewhere than the model does, from the true
+// numbers, with which the model itself leaves 127 and 1.59.
 TEST(SearchFit, WhatOnlyLongStepsMakeOfAModelIsNoFit) {
   const Fit found = fitted(
       "param a = 1.1 in 0.01..20\nparam b = 0.5 in 0.01..20\nparam h = 0.3 in 0.001..20\n"

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include "trajectories/refiners/noise_growth.hpp"
+
 #include <gtest/gtest.h>
 
 #include <Eigen/QR>
@@ -8,7 +10,6 @@
 #include "lacuna/bases/monomials.hpp"
 #include "lacuna/model/equations/term.hpp"
 #include "support/noisy_records.hpp"
-#include "trajectories/refiners/noise_growth.hpp"
 #include "trajectories/refiners/reference_path.hpp"
 #include "trajectories/subset_selection/negligible_columns.hpp"
 

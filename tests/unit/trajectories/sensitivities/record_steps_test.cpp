@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include "trajectories/sensitivities/record_steps.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -6,7 +8,6 @@
 #include <vector>
 
 #include "lacuna/records/channels/node_grid.hpp"
-#include "trajectories/sensitivities/record_steps.hpp"
 
 namespace lacuna {
 namespace {

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Steps of the model and of its derivatives along records.
+#include "trajectories/sensitivities/step_maps.hpp"
+
 #include <gtest/gtest.h>
 
 #include "lacuna/core/base/error.hpp"
@@ -9,7 +11,6 @@
 #include "support/driven_oscillator.hpp"
 #include "support/held_oscillator.hpp"
 #include "trajectories/sensitivities/rates.hpp"
-#include "trajectories/sensitivities/step_maps.hpp"
 #include "unit/trajectories/sensitivities/swing.hpp"
 
 namespace lacuna {

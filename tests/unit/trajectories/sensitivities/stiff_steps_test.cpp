@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include "trajectories/sensitivities/stiff_steps.hpp"
+
 #include <gtest/gtest.h>
 
 #include <array>
@@ -8,7 +10,6 @@
 #include "support/stiff_models.hpp"
 #include "trajectories/sensitivities/linear_step.hpp"
 #include "trajectories/sensitivities/secant_slopes.hpp"
-#include "trajectories/sensitivities/stiff_steps.hpp"
 
 namespace lacuna {
 namespace {

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include "trajectories/shooting/confidence.hpp"
+
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
@@ -9,7 +11,6 @@
 
 #include "core/base/random.hpp"
 #include "lacuna/core/base/error.hpp"
-#include "trajectories/shooting/confidence.hpp"
 #include "trajectories/shooting/cramer_rao.hpp"
 #include "trajectories/shooting/residual_analysis.hpp"
 #include "trajectories/shooting/residual_statistics.hpp"

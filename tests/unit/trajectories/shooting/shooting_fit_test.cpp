@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include "trajectories/shooting/shooting_fit.hpp"
+
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
@@ -6,16 +8,15 @@
 #include <cmath>
 
 #include "core/base/random.hpp"
-#include "trajectories/shooting/shooting_fit.hpp"
 #include "trajectories/shooting/shooting_problem.hpp"
 #include "unit/trajectories/shooting/dense_problem.hpp"
 
 namespace lacuna {
 namespace {
 
+using testing::dense_problem;
 using testing::DenseProblem;
 using testing::ShootingCase;
-using testing::dense_problem;
 
 // Elimination of initial states and the step against dense least squares that has them as
 // unknowns.

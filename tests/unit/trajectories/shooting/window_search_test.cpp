@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include "trajectories/shooting/window_search.hpp"
+
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
@@ -9,7 +11,6 @@
 #include "lacuna/core/base/error.hpp"
 #include "trajectories/shooting/confidence.hpp"
 #include "trajectories/shooting/state_guess.hpp"
-#include "trajectories/shooting/window_search.hpp"
 #include "unit/trajectories/shooting/records.hpp"
 
 namespace lacuna {

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
+#include "trajectories/smoother/censoring.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "trajectories/smoother/censoring.hpp"
 #include "trajectories/smoother/determined_step.hpp"
 
 namespace lacuna {

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What samples show of disturbances, outliers, tones and clocks.
+#include "lacuna/trajectories/smoother/disturbance_test.hpp"
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -8,7 +10,6 @@
 #include <numbers>
 
 #include "core/base/random.hpp"
-#include "lacuna/trajectories/smoother/disturbance_test.hpp"
 #include "support/assimilated_oscillator.hpp"
 #include "support/joint_gaussian.hpp"
 #include "trajectories/smoother/outlier_check.hpp"

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // States that nobody measured, and what their changes leave open.
+#include "trajectories/smoother/hidden_states.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -9,7 +11,6 @@
 #include "lacuna/dynamics/test_systems/measurement.hpp"
 #include "lacuna/model/files/ode_text.hpp"
 #include "support/driven_oscillator.hpp"
-#include "trajectories/smoother/hidden_states.hpp"
 #include "trajectories/smoother/unknown_past.hpp"
 #include "trajectories/smoother/unseen_changes.hpp"
 

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include "trajectories/smoother/variance_fit.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -6,7 +8,6 @@
 #include "lacuna/data/records/marks.hpp"
 #include "support/driven_oscillator.hpp"
 #include "support/joint_gaussian.hpp"
-#include "trajectories/smoother/variance_fit.hpp"
 
 namespace lacuna {
 namespace {

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Subsets of columns: which may matter, and the best of them.
+#include "trajectories/subset_selection/subset_search.hpp"
+
 #include <gtest/gtest.h>
 
 #include <Eigen/LU>
@@ -24,7 +26,6 @@
 #include "trajectories/subset_selection/plain_candidates.hpp"
 #include "trajectories/subset_selection/subset_exchanges.hpp"
 #include "trajectories/subset_selection/subset_problem.hpp"
-#include "trajectories/subset_selection/subset_search.hpp"
 
 namespace lacuna {
 namespace {

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include "trajectories/windows/windows.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -7,7 +9,6 @@
 #include "lacuna/data/records/marks.hpp"
 #include "support/assimilated_oscillator.hpp"
 #include "trajectories/windows/window_gap.hpp"
-#include "trajectories/windows/windows.hpp"
 
 namespace lacuna {
 namespace {

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include "trajectories/fit/population/marginal_likelihood.hpp"
+
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
@@ -8,7 +10,6 @@
 
 #include "support/populations.hpp"
 #include "trajectories/fit/fit_steps.hpp"
-#include "trajectories/fit/population/marginal_likelihood.hpp"
 #include "trajectories/fit/population/record_mode.hpp"
 #include "trajectories/fit/population/smooth_minimum.hpp"
 
@@ -117,13 +118,12 @@ TEST(RecordMode, IsTheBestLinearPrediction) {
   set_noise_sizes(problem.sizes, values.sizes, engine);
   FitPoint point{Matrix::Zero(3, 2), engine.records.starts};
   FitPath path = empty_path(engine);
-  const RecordMode mode =
-      find_mode(engine, problem, values, 1, Vector::Zero(2), point, path);
+  const RecordMode mode = find_mode(engine, problem, values, 1, Vector::Zero(2), point, path);
   const Vector t = data.trajectories[1].time;
   Matrix z(t.size(), 2);
   z << 0.4 * Vector::Ones(t.size()), 0.25 * t;
-  const Vector residual = engine.records.values.col(0).segment(8, 8).array() - 2.1 -
-                          0.9 * t.array();
+  const Vector residual =
+      engine.records.values.col(0).segment(8, 8).array() - 2.1 - 0.9 * t.array();
   const Matrix normal = z.transpose() * z + 0.04 * Matrix::Identity(2, 2);
   const Vector expected = normal.ldlt().solve(z.transpose() * residual);
   EXPECT_TRUE(mode.own.isApprox(expected, 1e-8)) << mode.own << "\n" << expected;
@@ -132,15 +132,15 @@ TEST(RecordMode, IsTheBestLinearPrediction) {
   EXPECT_NEAR(point.parameters(1, 0), 2.1 + 0.4 * expected[0], 1e-8);
 }
 
-// Far from the mode, of a model that is not linear, by noise that depends on it: no neighbour is
-// more probable.
+// Far from the mode, of a model that is not linear, by noise that depends on it: no neighbour
+// is more probable.
 TEST(RecordMode, IsAMaximumFromFarAway) {
   const SystemModel system = parse_ode_system(
       "param k = 0.5 varies */ 2\nparam s = 3 varies */ 1.5\ndx/dt = -k*x\n"
       "y = s*x noise both\ninitial x = 1 fixed\n",
       "decay.ode");
-  const Dataset data = support::individuals(
-      system, 2, sample_times(0.0, 0.5, 12), 3, [](Random&) {
+  const Dataset data =
+      support::individuals(system, 2, sample_times(0.0, 0.5, 12), 3, [](Random&) {
         return [](double t, Random& each) {
           return 5.0 * std::exp(-1.1 * t) * (1.0 + 0.1 * each.normal()) + 0.1;
         };
@@ -183,8 +183,8 @@ const auto valley = [](const Vector& x) {
 
 TEST(SmoothMinimum, FollowsACurvedValley) {
   int moves = 0;
-  const SmoothMinimum found = minimise_smooth(
-      valley, [&](const Vector&) { ++moves; }, from(Vector{{-1.2, 1.0}}), {});
+  const SmoothMinimum found =
+      minimise_smooth(valley, [&](const Vector&) { ++moves; }, from(Vector{{-1.2, 1.0}}), {});
   EXPECT_TRUE(found.converged);
   EXPECT_NEAR(found.place[0], 1.0, 1e-3);
   EXPECT_NEAR(found.place[1], 1.0, 1e-3);
@@ -196,9 +196,9 @@ TEST(SmoothMinimum, StaysInRangesAndAtWhatIsHeld) {
   SmoothTask task = from(Vector{{0.2, 0.0, 5.0}});
   task.upper[0] = 0.5;
   task.lower[2] = task.upper[2] = 5.0;
-  const SmoothMinimum found = minimise_smooth(
-      [](const Vector& x) { return valley(x.head(2)) + std::pow(x[2], 2); },
-      [](const Vector&) {}, task, {});
+  const SmoothMinimum found =
+      minimise_smooth([](const Vector& x) { return valley(x.head(2)) + std::pow(x[2], 2); },
+                      [](const Vector&) {}, task, {});
   EXPECT_TRUE(found.converged);
   EXPECT_DOUBLE_EQ(found.place[0], 0.5);
   EXPECT_NEAR(found.place[1], 0.25, 1e-4) << "least of the valley at x = 0.5";

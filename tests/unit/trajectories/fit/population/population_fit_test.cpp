@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include "trajectories/fit/population/population_fit.hpp"
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -11,15 +13,14 @@
 #include "lacuna/trajectories/fit/rivals.hpp"
 #include "support/expect_error.hpp"
 #include "support/populations.hpp"
-#include "trajectories/fit/population/population_fit.hpp"
 #include "trajectories/fit/population/population_problem.hpp"
 #include "trajectories/fit/population/population_search.hpp"
 
 namespace lacuna {
 namespace {
 
-using ::testing::HasSubstr;
 using testing::expect_error;
+using ::testing::HasSubstr;
 
 TEST(VaryingParameter, DerivativesAreThoseOfItsValue) {
   constexpr double kStep = 1e-6;
@@ -76,8 +77,8 @@ struct Levels {
     }
     noise = within / static_cast<double>(records * (n - 1));
     spread = (between / static_cast<double>(records) - noise) / static_cast<double>(n);
-    error = std::sqrt((noise + static_cast<double>(n) * spread) /
-                      static_cast<double>(n * records));
+    error =
+        std::sqrt((noise + static_cast<double>(n) * spread) / static_cast<double>(n * records));
   }
   double mean = 0.0, between = 0.0, within = 0.0;
   double noise, spread, error;  ///< variances, and the standard error of the mean
@@ -99,8 +100,8 @@ TEST(PopulationSearch, OfBalancedLevelsIsTheAnalysisOfVariance) {
   EXPECT_NEAR(std::sqrt(errors.covariance(0, 0)), expected.error, 1e-3 * expected.error);
   // Variances of the estimates: noise 2 v^2 / (R (n-1)), n spread + noise 2 (.)^2 / R.
   const double total = expected.noise + 6.0 * expected.spread;
-  const double variance = (2.0 * total * total / 9.0 +
-                           2.0 * expected.noise * expected.noise / 45.0) / 36.0;
+  const double variance =
+      (2.0 * total * total / 9.0 + 2.0 * expected.noise * expected.noise / 45.0) / 36.0;
   EXPECT_NEAR(errors.covariance(1, 1), variance / (4.0 * expected.spread),
               0.05 * errors.covariance(1, 1));
   EXPECT_FALSE(errors.may_be_zero[0]);

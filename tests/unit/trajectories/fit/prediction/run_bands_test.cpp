@@ -229,8 +229,8 @@ TEST(ValueLimits, OfTruncatedNoiseHaveFivePercentOfTheRecordedValuesBeyond) {
   };
   EXPECT_NEAR(share(limits[0]), 0.05, 1e-6);
   EXPECT_NEAR(share(limits[1]), 0.95, 1e-6);
-  const NoiseLaw logs{.form = NoiseForm::LogNormal, .fraction = 0.5, .below = 2.0,
-                      .truncated = true};
+  const NoiseLaw logs{
+      .form = NoiseForm::LogNormal, .fraction = 0.5, .below = 2.0, .truncated = true};
   const auto of_logs = value_limits(logs, 2.0, 0.0, kReach);
   EXPECT_NEAR(2.0 * (1.0 - below(std::log(of_logs[1] / 2.0) / 0.5)), 0.05, 1e-6);
   EXPECT_GT(of_logs[0], 2.0);

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include "trajectories/fit/starts/range_search.hpp"
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -13,7 +15,6 @@
 #include "lacuna/records/binding/model_view.hpp"
 #include "lacuna/trajectories/fit/fit.hpp"
 #include "support/grey_box.hpp"
-#include "trajectories/fit/starts/range_search.hpp"
 
 namespace lacuna {
 namespace {

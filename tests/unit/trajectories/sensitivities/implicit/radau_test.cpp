@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include "trajectories/sensitivities/implicit/radau.hpp"
+
 #include <gtest/gtest.h>
 
 #include <unsupported/Eigen/KroneckerProduct>
@@ -6,7 +8,6 @@
 
 #include "support/random_matrix.hpp"
 #include "support/stiff_models.hpp"
-#include "trajectories/sensitivities/implicit/radau.hpp"
 #include "trajectories/sensitivities/implicit/radau_system.hpp"
 #include "unit/trajectories/sensitivities/swing.hpp"
 
