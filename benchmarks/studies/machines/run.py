@@ -26,7 +26,7 @@ import numpy as np
 import jumps
 import servos
 
-LIMIT = 240  # s for one call
+LIMIT = 240  # s of one processor for one call
 COLUMNS = ("case", "kept", "kind", "judged", "verdict", "off", "seconds", "answer")
 FUNCTIONS = {
     "sign": np.sign, "abs": np.abs, "exp": np.exp, "tanh": np.tanh, "sin": np.sin, "cos": np.cos,
@@ -49,13 +49,13 @@ def diagnosed(program, folder, held_out):
     command += ["--holdout", "b.csv"] if held_out else []
     command += ["--json", "answer.json", "--model-out", "answer.ode"]
     before = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
-    try:
-        done = subprocess.run(
-            command, cwd=folder, capture_output=True, text=True, timeout=LIMIT, check=False
-        )
-        text = done.stdout + done.stderr
-    except subprocess.TimeoutExpired:
-        text = f"no answer after {LIMIT} s"
+    done = subprocess.run(
+        ["prlimit", f"--cpu={LIMIT}", *command],
+        cwd=folder, capture_output=True, text=True, check=False,
+    )  # fmt: skip
+    text = done.stdout + done.stderr
+    if done.returncode < 0:
+        text = f"no answer after {LIMIT} s\n{text}"
     seconds = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime - before
     (folder / "answer.txt").write_text(text)
     path = folder / "answer.json"

@@ -105,13 +105,27 @@ std::string headline(const Diagnosis& diagnosis) {
 
 using Sentences = std::vector<std::string>;
 
-/// ", a force of 0.8 rad/s^2" of friction that is written as a slope with an end.
-std::string force_of(const NamedEffect& effect, const std::string& unit) {
+/// The number of an effect that has such a name.
+const NamedParameter* find_parameter(const NamedEffect& effect, const std::string& name) {
   for (const NamedParameter& parameter : effect.parameters)
-    if (parameter.name == "force")
-      return ", a force of " + format_number(parameter.value, 3) +
-             (unit.empty() ? "" : " " + unit);
-  return "";
+    if (parameter.name == name) return &parameter;
+  return nullptr;
+}
+
+/// ", a force of 0.8 rad/s^2" of friction that is written as a slope with an end; ", 8 before and
+/// 5.4 from 11.16 +- 0.01 s on" of a coefficient that changes.
+std::string known_by(const NamedEffect& effect, const std::string& unit,
+                     const std::string& time_unit) {
+  if (const NamedParameter* force = find_parameter(effect, "force"))
+    return ", a force of " + format_number(force->value, 3) + (unit.empty() ? "" : " " + unit);
+  const NamedParameter* before = find_parameter(effect, "before");
+  const NamedParameter* after = find_parameter(effect, "after");
+  const NamedParameter* time = find_parameter(effect, "time");
+  if (!before || !after || !time) return "";
+  return ", " + format_number(before->value, 4) + " before and " +
+         format_number(after->value, 4) + " from " +
+         with_error(time->value, kNormalQuantile975 * time->deviation.value_or(0.0)) +
+         (time_unit.empty() ? "" : " " + time_unit) + " on";
 }
 
 void report_effect(const Diagnosis& diagnosis, const NamedEffect& effect, Sentences& out) {
@@ -124,7 +138,8 @@ void report_effect(const Diagnosis& diagnosis, const NamedEffect& effect, Senten
                 effect.name + "), " +
                 with_error(effect.coefficient, kNormalQuantile975 * effect.deviation) +
                 (unit.empty() ? "" : " " + unit) + " * " +
-                readable_formula(effect.term, effect.parameters) + force_of(effect, unit) +
+                readable_formula(effect.term, effect.parameters) +
+                known_by(effect, unit, diagnosis.nominal.time_unit()) +
                 ", explains " + fraction_of(effect.gap_closed) + " of the disagreement (" +
                 format_number(effect.sigma, 3) + " sigma).");
   for (const Alternative& other : effect.alternatives)
