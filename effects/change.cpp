@@ -24,8 +24,7 @@ Candidate changing(const Scope& scope, const Expression& term) {
   Candidate candidate = plain_candidate(from_instant(scope, term, time), term);
   const double begin = scope.start, end = scope.start + scope.duration;
   candidate.shapes = {
-      {time, scope.model.time_unit(), begin + scope.step, end - scope.step,
-       false}};
+      {time, scope.model.time_unit(), begin + scope.step, end - scope.step, false}};
   for (int i = 1; i < kStarts; ++i)
     candidate.starts.push_back(Vector::Constant(1, begin + scope.duration * i / kStarts));
   return candidate;
@@ -33,7 +32,6 @@ Candidate changing(const Scope& scope, const Expression& term) {
 
 std::vector<Candidate> change_forms(const Scope& scope, Index equation) {
   std::vector<Candidate> result;
-  if (getenv("DBG")) fprintf(stderr,"forms eq %d det %d\n",(int)equation,(int)determines_time(scope));
   if (!determines_time(scope)) return result;
   for (const Expression& term : nonlinear_terms(scope, equation))
     result.push_back(changing(scope, term));
@@ -44,7 +42,6 @@ std::vector<Candidate> change_forms(const Scope& scope, Index equation) {
 }
 
 std::optional<Reading> change_reading(const FittedForm& fitted) {
-  if (getenv("DBG")) fprintf(stderr,"reading %s arg %s shape %g coef %g\n", fitted.candidate.form.to_string().c_str(), fitted.candidate.argument.to_string().c_str(), fitted.shapes.size()?fitted.shapes[0]:0., fitted.coefficient);
   const Candidate& candidate = fitted.candidate;
   if (candidate.shapes.size() != 1 || !candidate.memory.empty() ||
       !(candidate.form ==

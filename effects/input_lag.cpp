@@ -13,10 +13,9 @@ Candidate lagging_within(const Scope& scope, Index equation, const Expression& t
   const double shortest = 0.1 * scope.step, longest = 0.25 * scope.duration;
   const std::string lagged = scope.free_name("lagged");
   const Expression late = substitute(term, {{input.name(), Expression::variable(lagged)}});
-  Candidate candidate =
-      shaped_candidate(late - term, input,
-                       {scope.free_name("tau"), scope.model.time_unit(), shortest, longest, true},
-                       {});
+  Candidate candidate = shaped_candidate(
+      late - term, input,
+      {scope.free_name("tau"), scope.model.time_unit(), shortest, longest, true}, {});
   candidate.within = term;
   candidate.memory = {{lagged, formula(scope, "(x-lagged)/tau", {{"x", input}}), input}};
   bound_to_term(scope, equation, term, candidate);
@@ -41,8 +40,7 @@ std::optional<Reading> input_lag_reading(const FittedForm& fitted) {
     return std::nullopt;
   const Expression late = Expression::variable(candidate.memory.front().name);
   const Expression& term = *candidate.within;
-  if (!(candidate.form ==
-        substitute(term, {{candidate.argument.name(), late}}) - term))
+  if (!(candidate.form == substitute(term, {{candidate.argument.name(), late}}) - term))
     return std::nullopt;
   Candidate whole = candidate;
   whole.argument = term;

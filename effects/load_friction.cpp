@@ -25,8 +25,7 @@ struct Loads {
 Loads loads_of(const Scope& scope, Index equation) {
   Loads loads;
   const std::string& speed = scope.state(equation).name;
-  for (const WeightedTerm& one :
-       scope.model.equations()[static_cast<std::size_t>(equation)]) {
+  for (const WeightedTerm& one : scope.model.equations()[static_cast<std::size_t>(equation)]) {
     const std::set<std::string> names = one.term.expression().variables();
     if (names.empty() || names.contains(speed) || one.coefficient == 0.0) continue;
     const bool drives = std::any_of(names.begin(), names.end(), [&](const std::string& name) {
@@ -42,8 +41,8 @@ Loads loads_of(const Scope& scope, Index equation) {
 /// Friction of a load at all speeds, and of one near standstill alone.
 /// @param argument of what the load is a function, without shape parameters
 void add_friction(const Scope& scope, const Expression& v, const Expression& load,
-                  const Expression& argument, const std::vector<ShapeParameter>& shapes, const std::vector<Vector>& starts,
-                  std::vector<Candidate>& result) {
+                  const Expression& argument, const std::vector<ShapeParameter>& shapes,
+                  const std::vector<Vector>& starts, std::vector<Candidate>& result) {
   Candidate always =
       plain_candidate(formula(scope, kAlways, {{"load", load}, {"v", v}}), argument);
   always.shapes = shapes;
@@ -55,9 +54,9 @@ void add_friction(const Scope& scope, const Expression& v, const Expression& loa
   slow.shapes.push_back({"exponent", "", 0.5, 4.0, true});
   slow.starts.clear();
   for (const Vector& start : starts.empty() ? std::vector<Vector>{Vector{}} : starts)
-    for (const double share : {0.1, 0.4}) {
+    for (const double part : {0.1, 0.4}) {
       Vector more(start.size() + 2);
-      more << start, share * rise_speed(scope, v).high, 2.0;
+      more << start, part * rise_speed(scope, v).high, 2.0;
       slow.starts.push_back(more);
     }
   result.push_back(std::move(always));
@@ -77,8 +76,8 @@ std::vector<Candidate> load_friction_forms(const Scope& scope, Index equation) {
   add_friction(scope, v, carried, carried, {}, {}, result);
   const Expression ratio = Expression::variable(scope.free_name("ratio"));
   add_friction(scope, v, *loads.weight * ratio - *loads.drive, carried,
-               {{"ratio", "", kLeastRatio, kLargestRatio, true}},
-               starts_at({0.2, 1.0, 5.0}), result);
+               {{"ratio", "", kLeastRatio, kLargestRatio, true}}, starts_at({0.2, 1.0, 5.0}),
+               result);
   return result;
 }
 

@@ -16,8 +16,8 @@ constexpr double kLeastPart = 0.01, kLargestPart = 100.0;
 Candidate inhibited(const Scope& scope, Index equation, const Expression& rate,
                     const Expression& p) {
   const Expression &above = rate.operands()[0], &below = rate.operands()[1];
-  const double unit = std::abs(scope.range_of(below).quantile(0.5)) /
-                      magnitude_quantile(scope, p, 0.9);
+  const double unit =
+      std::abs(scope.range_of(below).quantile(0.5)) / magnitude_quantile(scope, p, 0.9);
   Candidate candidate = shaped_candidate(
       formula(scope, "a/(b+strength*p)-a/b", {{"a", above}, {"b", below}, {"p", p}}), p,
       {scope.free_name("strength"), "", kLeastPart * unit, kLargestPart * unit, true},
@@ -60,10 +60,10 @@ std::optional<Reading> rate_inhibition_reading(const FittedForm& fitted) {
   const FittedForm of_rate{whole,          fitted.shapes, fitted.coefficient, fitted.deviation,
                            fitted.nominal, fitted.scope,  fitted.options};
   if (!is_part_of_term(of_rate)) return std::nullopt;
-  return Reading{"rate " + rate.to_string() + " that " + candidate.argument.to_string() +
-                     " inhibits",
-                 Precedence::Plain,
-                 {"strength"}};
+  return Reading{
+      "rate " + rate.to_string() + " that " + candidate.argument.to_string() + " inhibits",
+      Precedence::Plain,
+      {"strength"}};
 }
 
 }  // namespace

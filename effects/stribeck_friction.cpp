@@ -18,8 +18,7 @@ std::vector<Candidate> stribeck_friction_forms(const Scope& scope, Index equatio
   const Expression v = own_state(scope, equation);
   Candidate sharp =
       plain_candidate(formula(scope, "(1+rise*exp(-(v/speed)^2))*sign(v)", {{"v", v}}), v);
-  sharp.shapes = {{"rise", "", 0.05, 10.0, true},
-                  rise_speed(scope, v)};
+  sharp.shapes = {{"rise", "", 0.05, 10.0, true}, rise_speed(scope, v)};
   Candidate blunt = plain_candidate(
       formula(scope, "(1+rise*exp(-(v/speed)^2))*tanh(v/width)", {{"v", v}}), v);
   blunt.shapes = sharp.shapes;

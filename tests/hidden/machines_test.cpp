@@ -16,8 +16,13 @@ namespace {
 Plant machine(std::vector<Quantity> states, const std::vector<Terms>& equations, Vector start,
               const SignalSpec& drive) {
   const Vector spread = Vector::Constant(start.size(), 0.1);
-  return {model_of("s", std::move(states), {{"u", ""}}, equations), std::move(start), spread,
-          0.02, 1500, 2.0, {drive}};
+  return {model_of("s", std::move(states), {{"u", ""}}, equations),
+          std::move(start),
+          spread,
+          0.02,
+          1500,
+          2.0,
+          {drive}};
 }
 
 /// Nominal equations, the term that they lack, and what simulates it.
@@ -31,25 +36,38 @@ struct Fault {
 void PrintTo(const Fault& one, std::ostream* out) { *out << one.label; }
 
 const SignalSpec kSwings{.size = 3.0, .low = 0.2, .high = 1.8};
-const SignalSpec kSteps{.shape = SignalSpec::Shape::Steps, .size = 3.0, .low = 0.3, .high = 1.5};
 
 const std::vector<Quantity> kTurning{{"q", "rad"}, {"w", "rad/s"}};
 
 Fault loaded_gear() {
-  return {"loaded_gear", "load-friction", "w", "abs(-9*sin(q)-2*u)*sign(w)",
-          "abs(-9*sin(q)-2*u)*tanh(w/0.003)", -0.15,
+  return {"loaded_gear",
+          "load-friction",
+          "w",
+          "abs(-9*sin(q)-2*u)*sign(w)",
+          "abs(-9*sin(q)-2*u)*tanh(w/0.003)",
+          -0.15,
           machine(kTurning, {{{"w", 1.0}}, {{"sin(q)", -9.0}, {"u", 2.0}, {"w", -0.4}}},
                   Vector{{0.3, 0.0}}, kSwings)};
 }
 
 Fault cogging() {
-  return {"cogging", "periodic-function", "w", "sin(2*pi*q/0.35+0.4)", "", 1.4,
+  return {"cogging",
+          "periodic-function",
+          "w",
+          "sin(2*pi*q/0.35+0.4)",
+          "",
+          1.4,
           machine(kTurning, {{{"w", 1.0}}, {{"q", -6.0}, {"u", 2.0}, {"w", -0.9}}},
                   Vector{{0.3, 0.0}}, kSwings)};
 }
 
 Fault weaker_drive() {
-  return {"weaker_drive", "change", "w", "u*clip(50*(t-13.37)+0.5,0,1)", "", -0.7,
+  return {"weaker_drive",
+          "change",
+          "w",
+          "u*clip(50*(t-13.37)+0.5,0,1)",
+          "",
+          -0.7,
           machine(kTurning, {{{"w", 1.0}}, {{"q", -6.0}, {"u", 2.0}, {"w", -0.9}}},
                   Vector{{0.3, 0.0}}, kSwings)};
 }
@@ -78,10 +96,10 @@ INSTANTIATE_TEST_SUITE_P(All, Machine,
 
 TEST(Machine, AnActuatorsPoleStandsBeforeItsCurve) {
   const HiddenCase made =
-      CaseBuilder("propeller", "A pendulum that a propeller pushes",
-                  machine(kTurning,
-                          {{{"w", 1.0}}, {{"sin(q)", -30.0}, {"u^2", 6.0}, {"w", -0.8}}},
-                          Vector{{0.2, 0.0}}, kSteps))
+      CaseBuilder(
+          "propeller", "A pendulum that a propeller pushes",
+          machine(kTurning, {{{"w", 1.0}}, {{"sin(q)", -30.0}, {"u^2", 6.0}, {"w", -0.8}}},
+                  Vector{{0.2, 0.0}}, kSwings))
           .hidden_states({{"m", {{"u", 8.0}, {"m", -8.0}}}})
           .hide({"w", {"input-lag"}, {}, "m^2-u^2", 6.0})
           .build();
@@ -89,7 +107,9 @@ TEST(Machine, AnActuatorsPoleStandsBeforeItsCurve) {
   const Diagnosis found = diagnosis_of(made.nominal, records.find, records.check);
   ASSERT_EQ(found.effects.size(), 1u) << in_one_line(found);
   EXPECT_EQ(found.effects[0].name, "input-lag") << in_one_line(found);
-  EXPECT_NEAR(found.effects[0].parameters.at(0).value, 0.125, 0.005);
+  const NamedParameter& pole = found.effects[0].parameters.at(0);
+  EXPECT_NEAR(pole.value, 0.125, 4.0 * pole.deviation.value());
+  EXPECT_LT(pole.deviation.value(), 0.01);
 }
 
 TEST(Machine, TheInstantAndBothValuesOfWhatChangesAreGiven) {
@@ -129,7 +149,9 @@ TEST(Machine, AProductThatSlowsItsReaction) {
   ASSERT_EQ(found.effects.size(), 2u) << in_one_line(found);
   for (const NamedEffect& effect : found.effects) {
     EXPECT_EQ(effect.name, "rate-inhibition") << in_one_line(found);
-    EXPECT_NEAR(effect.parameters.at(0).value, 1.2, 0.15);
+    const NamedParameter& strength = effect.parameters.at(0);
+    EXPECT_NEAR(strength.value, 1.2, 4.0 * strength.deviation.value());
+    EXPECT_LT(strength.deviation.value(), 0.6);
   }
 }
 

@@ -42,8 +42,8 @@ using StandardFamilies =
                kHysteresis, kPeriodicFunction, kDeadZone, kSaturation, kOneSidedStop,
                kPiecewiseLinear, kOverflow, kSaturatingRate, kExponentialConduction,
                kExponentialRate, kRateInhibition, kRadiation, kPeriodicForcing,
-               kPeriodicParameter, kParameterDrift, kChange, kTimeTrend, kDelay, kLag, kInputLag,
-               kExtraState, kUnmeasuredInput, kChannelSkew>;
+               kPeriodicParameter, kParameterDrift, kChange, kTimeTrend, kDelay, kLag,
+               kInputLag, kExtraState, kUnmeasuredInput, kChannelSkew>;
 
 /// The effects of StandardFamilies, in their order.
 std::vector<Stage<Effect>> standard_effects();

@@ -58,8 +58,8 @@ bool is_derived(const NamedParameter& parameter) {
   return parameter.name == kForce || parameter.name == kBefore || parameter.name == kAfter;
 }
 
-/// The force of dry friction that is written as a slope with an end, c clip(v,-a,a): c a. What a
-/// coefficient is before and after it changes.
+/// The force of dry friction that is written as a slope with an end, c clip(v,-a,a): c a. What
+/// a coefficient is before and after it changes.
 std::vector<NamedParameter> derived_parameters(const FittedEffect& effect,
                                                const std::string& name,
                                                const OdeModel& fitted) {

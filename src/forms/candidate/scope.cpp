@@ -65,8 +65,8 @@ double variance_of(const Vector& values) {
   return (values.array() - values.mean()).square().mean();
 }
 
-/// half_memory() of the whole or of a half that moves, whichever is shorter: a level that changes
-/// once is remembered for ever, what goes on about it is not.
+/// half_memory() of the whole or of a half that moves, whichever is shorter: a level that
+/// changes once is remembered for ever, what goes on about it is not.
 Index shortest_memory(const Vector& values) {
   // A fact: a half that rests has the memory of noise.
   constexpr double kMoves = 0.1;

@@ -198,7 +198,7 @@ TEST(RateInhibition, IsMoreInTheDenominator) {
   const Scope scope = scope_of(
       model_of_lines({{"S", {{"S/(2+S)", -0.5}}}, {"P", {{"S/(2+S)", 0.5}}}}, {}), 3.0);
   EXPECT_EQ(forms_of<kRateInhibition>(scope, 0),
-            (Forms{"S/(2+S+strength*P)-S/(2+S)", "S/(2+S+strength*S^2)-S/(2+S)"}));
+            (Forms{"S/(2+S+strength*P)-S/(2+S)", "S/(2+S+strength*(S*S))-S/(2+S)"}));
   const Candidate product =
       candidate_of<kRateInhibition>(scope, 0, "S/(2+S+strength*P)-S/(2+S)");
   EXPECT_EQ(reading_of<kRateInhibition>(scope, product, -0.5)->sentence,

@@ -139,7 +139,7 @@ TEST(ParameterDrift, IsToldWhereALevelChangesOnce) {
   record.states.bottomRows(400).array() += 8.0;
   const Scope scope = make_scope(support::oscillator(), data, Vector::Constant(2, 0.01));
   EXPECT_GT(scope.state(0).timescale, 1.0) << "the level is remembered";
-  EXPECT_LT(scope.state(0).recurrence, 0.4) << "what goes on about it is not";
+  EXPECT_LT(scope.state(0).recurrence, 0.5) << "what goes on about it is not";
   EXPECT_TRUE(determines_time(scope));
 }
 
@@ -159,7 +159,7 @@ TEST(Change, IsOfEveryTermAndOfAConstantWithinAStep) {
 TEST(InputLag, IsAPoleBeforeACurve) {
   const Scope scope = scope_of(
       model_of_lines({{"w", {{"w", -1.0}, {"u^2", 20.0}, {"u*w", 0.5}}}}, {"u"}));
-  EXPECT_EQ(forms_of<kInputLag>(scope, 0), (Forms{"lagged^2-u^2", "lagged*w-u*w"}));
+  EXPECT_EQ(forms_of<kInputLag>(scope, 0), (Forms{"lagged^2-u^2", "w*lagged-w*u"}));
   const Candidate slow = candidate_of<kInputLag>(scope, 0, "lagged^2-u^2");
   ASSERT_EQ(slow.memory.size(), 1u);
   EXPECT_EQ(slow.memory[0].rate, parse_expression("(u-lagged)/tau"));
