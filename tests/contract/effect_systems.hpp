@@ -44,11 +44,11 @@ inline std::vector<EffectSystem> effect_systems() {
        {},
        {{1, 0, 0.3}}},
       {model_of_lines({{"T", {{"T", -0.2}, {"u", 1.0}}}}, {"u"}), 20.0},
+      {model_of_lines({{"s", {{"u^2", 2.0}, {"s/(2+s)", -2.0}}}}, {"u"}), 2.0},
       {model_of_lines({{"a", {{"b", -1.0}}}, {"b", {{"a*b", 1.0}, {"u", 1.0}}}}, {"u"}),
        2.0,
        {},
-       {{{1, 0.3, 0.1}, parse_expression("a*b")}}},
-      {model_of_lines({{"s", {{"u^2", 1.0}, {"s/(2+s)", -1.5}}}}, {"u"}), 2.0}};
+       {{{1, 0.3, 0.1}, parse_expression("a*b")}}}};
 }
 
 /// A candidate with numbers for its shapes and its coefficient.
