@@ -14,6 +14,10 @@ constexpr double kLeastRatio = 0.02, kLargestRatio = 50.0;
 
 constexpr std::string_view kAlways = "abs(load)*sign(v)";
 constexpr std::string_view kNearStandstill = "abs(load)*exp(-abs(v/speed)^exponent)*sign(v)";
+constexpr std::string_view kBesideBase = "(abs(load)+base)*exp(-abs(v/speed)^exponent)*sign(v)";
+
+// From where friction without a load is lost in that of the load to where it is all of it.
+constexpr double kLeastBase = 0.01, kLargestBase = 100.0;
 
 /// What the equation of a speed v says that drives it and that weighs on it, each as a sum of
 /// nominal terms; empty where there is none.
@@ -63,6 +67,21 @@ void add_friction(const Scope& scope, const Expression& v, const Expression& loa
   result.push_back(std::move(slow));
 }
 
+/// Friction near standstill with a part that needs no load.
+Candidate with_base(const Scope& scope, Candidate slow, const Expression& v,
+                    const Expression& load) {
+  const double usual = magnitude_quantile(scope, load, 0.5);
+  slow.form = formula(scope, kBesideBase, {{"load", load}, {"v", v}});
+  slow.shapes.insert(slow.shapes.begin(), {scope.free_name("base"), "", kLeastBase * usual,
+                                           kLargestBase * usual, true});
+  for (Vector& start : slow.starts) {
+    Vector more(start.size() + 1);
+    more << usual, start;
+    start = more;
+  }
+  return slow;
+}
+
 std::vector<Candidate> load_friction_forms(const Scope& scope, Index equation) {
   std::vector<Candidate> result;
   if (!scope.state(equation).changes_sign() || !is_velocity(scope, equation)) return result;
@@ -74,6 +93,7 @@ std::vector<Candidate> load_friction_forms(const Scope& scope, Index equation) {
   // A gear that holds a weight carries it on both sides.
   const Expression carried = *loads.weight - *loads.drive;
   add_friction(scope, v, carried, carried, {}, {}, result);
+  result.push_back(with_base(scope, result.back(), v, carried));
   const Expression ratio = Expression::variable(scope.free_name("ratio"));
   add_friction(scope, v, *loads.weight * ratio - *loads.drive, carried,
                {{"ratio", "", kLeastRatio, kLargestRatio, true}}, starts_at({0.2, 1.0, 5.0}),
@@ -81,28 +101,40 @@ std::vector<Candidate> load_friction_forms(const Scope& scope, Index equation) {
   return result;
 }
 
-/// The first factor of a product.
-const Expression& first_factor(const Expression& product) {
-  return product.operation() == Operation::Multiply ? first_factor(product.operands()[0])
-                                                    : product;
+/// Friction near standstill with the names of a candidate's shape parameters.
+Expression near_standstill(std::string_view pattern, const Candidate& candidate,
+                           std::map<std::string, Expression> parts) {
+  const std::size_t count = candidate.shapes.size();
+  const auto shape = [&](std::size_t from_end) {
+    return Expression::variable(candidate.shapes[count - from_end].name);
+  };
+  parts.emplace("speed", shape(2));
+  parts.emplace("exponent", shape(1));
+  if (count > 2) parts.emplace("base", shape(3));
+  return substitute(parse_expression(pattern), parts);
+}
+
+/// The load of a product whose first factor is its size, alone or with a base.
+std::optional<Expression> load_in(const Expression& product) {
+  if (product.operation() == Operation::Multiply) return load_in(product.operands()[0]);
+  if (product.operation() == Operation::Add) return load_in(product.operands()[0]);
+  if (product.operation() != Operation::Abs) return std::nullopt;
+  return product.operands()[0];
 }
 
 std::optional<Reading> load_friction_reading(const FittedForm& fitted) {
   const Candidate& candidate = fitted.candidate;
-  const Expression& carried = first_factor(candidate.form);
-  if (carried.operation() != Operation::Abs || candidate.form == carried) return std::nullopt;
+  const std::optional<Expression> load = load_in(candidate.form);
+  if (!load) return std::nullopt;
   const Expression v = own_state(fitted.scope, candidate.equation);
-  std::map<std::string, Expression> parts{{"load", carried.operands()[0]}, {"v", v}};
-  const std::size_t count = candidate.shapes.size();
+  const std::map<std::string, Expression> parts{{"load", *load}, {"v", v}};
   const bool always = candidate.form == substitute(parse_expression(kAlways), parts);
-  if (!always && count >= 2) {
-    parts.emplace("speed", Expression::variable(candidate.shapes[count - 2].name));
-    parts.emplace("exponent", Expression::variable(candidate.shapes[count - 1].name));
-    if (!(candidate.form == substitute(parse_expression(kNearStandstill), parts)))
-      return std::nullopt;
-  } else if (!always) {
-    return std::nullopt;
-  }
+  const bool has_shapes = candidate.shapes.size() >= 2;
+  const bool slow =
+      has_shapes && (candidate.form == near_standstill(kNearStandstill, candidate, parts) ||
+                     (candidate.shapes.size() > 2 &&
+                      candidate.form == near_standstill(kBesideBase, candidate, parts)));
+  if (!always && !slow) return std::nullopt;
   return Reading{"dry friction opposing " + v.to_string() + " that grows with the load" +
                  (always ? "" : ", near standstill")};
 }

@@ -83,12 +83,12 @@ Scope joint_scope() {
 
 TEST(LoadFriction, IsOfWhatDrivesWhatWeighsAndWhatTheGearCarries) {
   const Forms forms = forms_of<kLoadFriction>(joint_scope(), 1);
-  for (const char* form :
-       {"abs(4*u)*sign(w)", "abs(-9*sin(q))*sign(w)", "abs(-9*sin(q)-4*u)*sign(w)",
-        "abs(-9*sin(q)*ratio-4*u)*sign(w)",
-        "abs(-9*sin(q)-4*u)*exp(-abs(w/speed)^exponent)*sign(w)"})
+  for (const char* form : {"abs(4*u)*sign(w)", "abs(-9*sin(q))*sign(w)",
+                           "abs(-9*sin(q)-4*u)*sign(w)", "abs(-9*sin(q)*ratio-4*u)*sign(w)",
+                           "abs(-9*sin(q)-4*u)*exp(-abs(w/speed)^exponent)*sign(w)",
+                           "(abs(-9*sin(q)-4*u)+base)*exp(-abs(w/speed)^exponent)*sign(w)"})
     EXPECT_TRUE(forms.contains(form)) << form;
-  EXPECT_EQ(forms.size(), 8u);
+  EXPECT_EQ(forms.size(), 9u);
 }
 
 TEST(StribeckFriction, OpposesTheMotion) {
