@@ -270,7 +270,8 @@ UsableRecords usable_records(const Dataset& data, const GapOptions& options) {
   if (records.empty())
     throw DataError(data.trajectories.front().source,
                     "no record has " + shortest + " samples or more in a row",
-                    "give longer records");
+                    "give longer records, or compare models that you write down: `lacuna fit "
+                    "ONE.ode TWO.ode DATA`");
   if (!cuts.times.empty())
     result.notes.push_back("all channels jump at once at t = " + join(cuts.times, ", ") +
                            ": another record begins there");
