@@ -61,6 +61,17 @@ TEST(WithRepeatsMarked, ValuesOnALatticeRepeatByThemselves) {
   }
 }
 
+// A converter behind a curve: levels exp(k/30), printed to two digits behind the point.
+TEST(WithRepeatsMarked, SoDoValuesOnOneOfUnevenSteps) {
+  for (const double noise : {0.0, 0.01}) {
+    Dataset data = noisy_tone(noise);
+    auto x = data.trajectories[0].states.col(0).array();
+    x = ((30.0 * (3.0 + x)).round() / 30.0).exp();
+    x = (100.0 * x).round() / 100.0;
+    EXPECT_EQ(missing_in(with_repeats_marked(data)), 0) << noise;
+  }
+}
+
 TEST(WithRepeatsMarked, WhatRestsWithoutNoiseIsMeasured) {
   Dataset data = noisy_tone(0.0);
   auto x = data.trajectories[0].states.col(0);
