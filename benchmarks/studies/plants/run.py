@@ -213,13 +213,12 @@ def main():
         "fits": lambda case: fit_row(case, program, at / case.name),
     }
     if {"recordings", "recorded_experts"} & set(parts):
-        import recordings
+        from recorded import recorded_expert_row, recording_row
+        from recordings import RECORDINGS
 
-        lists |= dict.fromkeys(("recordings", "recorded_experts"), recordings.RECORDINGS)
-        rows_of["recordings"] = lambda case: recordings.recording_row(
-            case, program, at / case.name
-        )
-        rows_of["recorded_experts"] = recordings.expert_row
+        lists |= dict.fromkeys(("recordings", "recorded_experts"), RECORDINGS)
+        rows_of["recordings"] = lambda case: recording_row(case, program, at / case.name)
+        rows_of["recorded_experts"] = recorded_expert_row
     for part in (part for part in parts if part != "page"):
         chosen = [case for case in lists[part] if not asked.case or case.name in asked.case]
         if part == "peers":
