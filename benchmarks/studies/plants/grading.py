@@ -11,7 +11,7 @@ import subprocess
 import numpy as np
 
 DELAY = re.compile(r"delay\((\w+),\s*([^(),]+)\)")
-LIMIT = 240  # s for one call
+LIMIT = 1200  # s for one call
 
 
 def write_columns(path, time, columns):

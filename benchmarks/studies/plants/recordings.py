@@ -78,7 +78,7 @@ RECORDINGS = [
         (DATA / "emps/emps_train.csv.gz", DATA / "emps/emps_validation.csv.gz"),
         ("q",),
         {"F": "zero"},
-        "--embed q=2 --inputs F --hold F=zero",
+        "--states q --embed q=2 --inputs F --hold F=zero",
         newton(
             "q",
             "a*F-b*v-c*tanh(v/s)-d",
@@ -241,7 +241,7 @@ RECORDINGS = [
     heaters(
         "heater_embedded",
         SINES,
-        "--embed T1=2 --inputs Q1 --hold Q1=zero",
+        "--states T1 --embed T1=2 --inputs Q1 --hold Q1=zero",
         newton(
             "T1",
             "c-a*v-b*T1+k*Q1",
@@ -265,7 +265,7 @@ RECORDINGS = [
     heaters(
         "heater_long_sines",
         LONG_SINES,
-        "--embed T1=2 --inputs Q1 --hold Q1=zero",
+        "--states T1 --embed T1=2 --inputs Q1 --hold Q1=zero",
         newton(
             "T1",
             "c-a*v-b*T1+k*Q1",
