@@ -79,7 +79,8 @@ def in_c(text, places):
         new = re.sub(base + r"\*\*" + power, r"POW(\1,\2)", text, count=1)
         assert new != text, text
         text = new
-    text = re.sub(r"(?<![\w.])(\d+)(?![\w.])", r"\1.0", text).replace("POW", "pow")
+    number = r"(?<![\w.])\d+(?:\.\d*)?(?:[eE][+-]?\d+)?"
+    text = re.sub(number, lambda found: repr(float(found[0])), text).replace("POW", "pow")
     names = NAMES | places
     return re.sub(r"[A-Za-z_]\w*", lambda found: names.get(found[0], found[0]), text)
 

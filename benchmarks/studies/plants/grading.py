@@ -42,7 +42,7 @@ def called(command, folder, answer=None):
 
 
 def error_line(text):
-    lines = [line for line in text.splitlines() if "rror" in line]
+    lines = [line for line in text.splitlines() if "rror:" in line]
     return (lines or text.strip().splitlines() or ["nothing"])[0].strip()
 
 

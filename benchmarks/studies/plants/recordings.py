@@ -178,7 +178,7 @@ RECORDINGS = [
         pair(REAL / "chemostat_biomass_only"),
         ("y",),
         {"D": "linear", "Sin": "linear"},
-        "--states y --inputs D,Sin --hidden 1",
+        "--states y --inputs D,Sin",
         Model(
             {"X": "m*S*X/(K+S)-D*X", "S": "D*(Sin-S)-m/q*S*X/(K+S)"},
             {"m": 0.5, "K": 1.2, "q": 0.5},
