@@ -11,7 +11,7 @@ import subprocess
 import numpy as np
 
 DELAY = re.compile(r"delay\((\w+),\s*([^(),]+)\)")
-LIMIT = 240  # s for one call
+LIMIT = 1200  # s for one call
 
 
 def write_columns(path, time, columns):
@@ -42,7 +42,7 @@ def called(command, folder, answer=None):
 
 
 def error_line(text):
-    lines = [line for line in text.splitlines() if "rror" in line]
+    lines = [line for line in text.splitlines() if "rror:" in line]
     return (lines or text.strip().splitlines() or ["nothing"])[0].strip()
 
 

@@ -5,7 +5,8 @@
     python3 benchmarks/studies/plants/run.py PROGRAM FOLDER [PART...] [--case NAME...]
         [--python PYTHON]
 
-PART: experts, plants, swings, fits (all without one), peers, or page. Writes records and answers to
+PART: experts, plants, swings, fits (all without one), peers, recorded_experts and recordings
+(those of the environment's LACUNA_DATA), or page. Writes records and answers to
 FOLDER/cases, and a table of each part to FOLDER (.csv) and of all to FOLDER/plants.md. Tables of
 parts that are not run stay as they are: with results/*.csv in FOLDER, `page` alone makes the page,
 and `plants` compares with the experts and peers that are committed. `peers`
@@ -211,6 +212,13 @@ def main():
         "swings": lambda case: swing_row(case, program, at / case.name),
         "fits": lambda case: fit_row(case, program, at / case.name),
     }
+    if {"recordings", "recorded_experts"} & set(parts):
+        from recorded import recorded_expert_row, recording_row
+        from recordings import RECORDINGS
+
+        lists |= dict.fromkeys(("recordings", "recorded_experts"), RECORDINGS)
+        rows_of["recordings"] = lambda case: recording_row(case, program, at / case.name)
+        rows_of["recorded_experts"] = recorded_expert_row
     for part in (part for part in parts if part != "page"):
         chosen = [case for case in lists[part] if not asked.case or case.name in asked.case]
         if part == "peers":

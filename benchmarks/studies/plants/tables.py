@@ -49,6 +49,24 @@ COLUMNS = {
     ),
     "experts": ("case", "model", "free run %", "with the truth %", "numbers", "truth"),
     "peers": ("case", "method", "judged", "free run %", "seconds", "answer"),
+    "recordings": (
+        "case",
+        "options",
+        "verdict",
+        "free run %",
+        "expert %",
+        "over expert",
+        "seconds",
+        "answer",
+    ),
+    "recorded_experts": (
+        "case",
+        "structure",
+        "fit %",
+        "free run %",
+        "channels alone %",
+        "numbers",
+    ),
 }
 TITLES = {
     "plants": "Plants: `identify`",
@@ -56,7 +74,10 @@ TITLES = {
     "fits": "Models of known structure: `fit`",
     "experts": "Experts",
     "peers": "Other programs on the plants",
+    "recordings": "Recordings of machines: `identify`",
+    "recorded_experts": "Experts of the recordings",
 }
+EXPERTS_OF = {"plants": "experts", "recordings": "recorded_experts"}
 
 
 def write_table(folder, part, rows):
@@ -75,15 +96,16 @@ def read_table(folder, part):
 
 
 def compare_with_experts(folder):
-    """Writes what experts reach beside the plants."""
-    experts = {row["case"]: row["free run %"] for row in read_table(folder, "experts")}
-    rows = read_table(folder, "plants")
-    for row in rows:
-        row["expert %"] = experts.get(row["case"], "")
-        ratio = number(row["free run %"]) / (number(row["expert %"]) or float("inf"))
-        row["over expert"] = f"{ratio:.3g}" if 0 < ratio < float("inf") else ""
-    if rows:
-        write_table(folder, "plants", rows)
+    """Writes what experts reach beside the plants and the recordings."""
+    for part, of in EXPERTS_OF.items():
+        experts = {row["case"]: row["free run %"] for row in read_table(folder, of)}
+        rows = read_table(folder, part)
+        for row in rows:
+            row["expert %"] = experts.get(row["case"], "")
+            ratio = number(row["free run %"]) / (number(row["expert %"]) or float("inf"))
+            row["over expert"] = f"{ratio:.3g}" if 0 < ratio < float("inf") else ""
+        if rows:
+            write_table(folder, part, rows)
 
 
 def lines_of(header, rows):

@@ -160,7 +160,7 @@ Vector times_of(const Dataset& data, const std::vector<DeadTime>& found) {
 
 std::optional<LateEquations> equations_with_dead_times(
     const Dataset& data, const Pipeline& pipeline, const DeadTimeOptions& options,
-    const IdentificationResult& at_once, const FindEquations& find, const KnownNoise& noise,
+    const IdentificationResult& at_once, const FindEquations& find, const RunsToNoise& noise,
     const RunContext& context) {
   const GivenTimes given = given_times(data, options);
   const Vector known = known_times(given);
@@ -172,17 +172,20 @@ std::optional<LateEquations> equations_with_dead_times(
   if (times == known) return before;
   const double without = times.maxCoeff() + 2.0 * median_step(data);  // what refining may add
   const auto run = [&](const OdeModel& model, const Vector& delays) {
-    return free_run(SystemModel(model), with_inputs_delayed(data, delays, without), noise,
+    return free_run(SystemModel(model), with_inputs_delayed(data, delays, without), noise.known,
                     context);
   };
   const OdeModel& model = before ? before->result.model : at_once.model;
+  const FreeRun own = run(model, known);
+  // What runs to the noise lacks no term: where these act no better late, no others do.
+  if (own.over_noise <= 1.0 + noise.slack && !is_better(run(model, times), own)) return before;
   LateEquations late{times, {}, find(with_inputs_delayed(data, times, without))};
-  late.found = refined_dead_times(data, late.result.model, times, given, noise, context);
+  late.found = refined_dead_times(data, late.result.model, times, given, noise.known, context);
   if (!are_determined(late.found)) return before;
   late.times = times_of(data, late.found);
   FreeRun with = run(late.result.model, late.times);
   with.numbers += late.found.size();
-  if (!is_better(with, run(model, known))) return before;
+  if (!is_better(with, own)) return before;
   if (late.times != times)
     move_to(with_inputs_delayed(data, late.times, without), pipeline, late.result, context);
   return late;

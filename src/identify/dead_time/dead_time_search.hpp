@@ -22,6 +22,13 @@ struct LateEquations {
   IdentificationResult result;  ///< in the inputs that act (with_inputs_delayed())
 };
 
+/// The noise of the states, and by what fraction a residual (rms) may be above it and is noise
+/// still (ValidationOptions::noise_slack).
+struct RunsToNoise {
+  KnownNoise known;
+  double slack = 0.0;
+};
+
 /// What is known of the dead time of each input.
 using GivenTimes = std::vector<std::optional<double>>;
 
@@ -46,7 +53,8 @@ bool are_determined(const std::vector<DeadTime>& found);
 /// equations better: whole steps by rows of derivatives (screened_dead_times()), then by the
 /// likelihood of free runs of the model that was found with them (fit()). Better is by
 /// is_better() of free runs, a time counted as a coefficient; no interval of a time may reach
-/// 0.
+/// 0. Where equations without dead times run to the noise, others are sought only if these run
+/// better in inputs that act late.
 /// @param at_once equations without dead times; not asked for where they are given for all
 ///   inputs.
 /// @return nothing where all inputs act at once.
@@ -54,7 +62,7 @@ bool are_determined(const std::vector<DeadTime>& found);
 ///   longer than half of every record.
 std::optional<LateEquations> equations_with_dead_times(
     const Dataset& data, const Pipeline& pipeline, const DeadTimeOptions& options,
-    const IdentificationResult& at_once, const FindEquations& find, const KnownNoise& noise,
+    const IdentificationResult& at_once, const FindEquations& find, const RunsToNoise& noise,
     const RunContext& context);
 
 }  // namespace lacuna

@@ -6,6 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include "lacuna/core/numerics/sampled_signal.hpp"
+
 namespace lacuna {
 namespace {
 
@@ -92,6 +94,27 @@ Matrix about_samples(const Dataset& data, Matrix inputs) {
   return inputs;
 }
 
+Vector at_times(const Vector& time, const Vector& values, const Vector& own,
+                Interpolation between) {
+  SampledSignal signal(own, values, between);
+  return time.unaryExpr([&](double t) { return signal(t); });
+}
+
+/// A record of uneven steps at as many even ones.
+Trajectory at_even_steps(const Dataset& data, Trajectory record) {
+  if (record.samples() < 2 || uniform_step(record)) return record;
+  const Vector own = record.time;
+  record.time = Vector::LinSpaced(own.size(), own[0], own[own.size() - 1]);
+  for (Index k = 0; k < record.states.cols(); ++k)
+    record.states.col(k) =
+        at_times(record.time, record.states.col(k), own, Interpolation::Cubic);
+  for (Index j = 0; j < record.inputs.cols(); ++j)
+    record.inputs.col(j) =
+        at_times(record.time, record.inputs.col(j), own,
+                 interpolation_of(data.inputs[static_cast<std::size_t>(j)].hold));
+  return record;
+}
+
 }  // namespace
 
 Dataset averaged(const Dataset& data, Index half) {
@@ -100,9 +123,10 @@ Dataset averaged(const Dataset& data, Index half) {
   Dataset result = data;
   for (Quantity& input : result.inputs) input.hold = Hold::Smooth;
   result.trajectories.clear();
-  for (const Trajectory& record : data.trajectories) {
-    const auto step = uniform_step(record);
-    if (!step || record.samples() < 2 * width) continue;
+  for (const Trajectory& given : data.trajectories) {
+    if (given.samples() < 2 * width) continue;
+    const Trajectory record = at_even_steps(data, given);
+    const double step = mean_step(record);
     Trajectory mean;
     mean.source = record.source;
     mean.inputs = weighted(about_samples(data, record.inputs), weights_of(half, 0), stride);
@@ -112,9 +136,9 @@ Dataset averaged(const Dataset& data, Index half) {
       const auto [channel, order] = origin_of(data, k);
       const Matrix samples = record.states.col(channel);
       mean.states.col(k) =
-          weighted(samples, weights_of(half, order), stride) / std::pow(*step, order);
+          weighted(samples, weights_of(half, order), stride) / std::pow(step, order);
       mean.derivatives.col(k) =
-          weighted(samples, weights_of(half, order + 1), stride) / std::pow(*step, order + 1);
+          weighted(samples, weights_of(half, order + 1), stride) / std::pow(step, order + 1);
     }
     mean.time = Vector(mean.states.rows());
     for (Index i = 0; i < mean.time.size(); ++i) mean.time[i] = record.time[half + i * stride];

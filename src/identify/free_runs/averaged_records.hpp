@@ -11,7 +11,8 @@ namespace lacuna {
 /// of noisy samples: the window's own derivatives fall on the samples, for states that were
 /// made of a channel by differences too. A system that is linear leaves the means as it leaves
 /// the samples; means of an input that is held are those of what it is between samples. Records
-/// of uneven steps, and those shorter than two windows, are left out.
+/// of uneven steps count at as many even ones, between their samples as these go on; those
+/// shorter than two windows are left out.
 /// @param half at least 1; 2 for derivatives of the third order.
 Dataset averaged(const Dataset& data, Index half);
 

@@ -35,6 +35,14 @@ double independent_samples(const Fit& run) {
   return std::max(kFewest, count * (1.0 - rho) / (1.0 + rho));
 }
 
+/// The residual of each channel over its noise, the largest; infinite where one is not known.
+double residual_over_noise(const Fit& run) {
+  double largest = 0.0;
+  for (const FitQuality& channel : run.quality)
+    if (channel.samples > 0) largest = std::max(largest, channel.rmse / channel.noise);
+  return largest;
+}
+
 }  // namespace
 
 FreeRun free_run(const SystemModel& system, const Dataset& data, const KnownNoise& noise,
@@ -56,6 +64,7 @@ FreeRun free_run(const SystemModel& system, const Dataset& data, const KnownNois
           number.standard_error ? std::abs(number.value / *number.standard_error) : 0.0);
     result.samples = static_cast<double>(records.samples());
     result.independent /= result.samples;
+    result.over_noise = residual_over_noise(run);
     return result;
   } catch (const DataError&) {
     return {system};

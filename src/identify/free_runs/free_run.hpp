@@ -20,6 +20,7 @@ struct FreeRun {
   std::size_t numbers = 0;     ///< coefficients, shapes, dead times
   double samples = 0.0;
   std::vector<double> significance = {};  ///< |estimate| / standard error of each number
+  double over_noise = INFINITY;  ///< residual over noise (rms) of the worst channel
 
   bool is_finite() const { return std::isfinite(deviance); }
 };

@@ -248,7 +248,9 @@ Vector take_dead_times(const Prepared& prepared, Identification& found,
     const Dataset& data = *found.records.in_memory();
     auto late = equations_with_dead_times(
         data, prepared.task.pipeline, prepared.task.options.dead_time, found.result, find,
-        KnownNoise(found.records.noise(context.threads)), context);
+        {found.records.noise(context.threads),
+         prepared.task.options.validation.noise_slack},
+        context);
     if (!late) return;
     times = late->times;
     late->result.stages = std::move(found.result.stages);

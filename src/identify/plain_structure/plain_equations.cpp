@@ -37,11 +37,14 @@ OdeModel with_intervals(const OdeModel& model, const FreeRun& run, const Dataset
   return model;
 }
 
-/// The model with numbers for widths, to three digits.
+/// The model with numbers for widths, to three digits, which may lie beyond a bound.
 OdeModel with_readable_widths(const FreeRun& run) {
   std::vector<Parameter> parameters = run.system.parameters();
-  for (Parameter& parameter : parameters)
+  for (Parameter& parameter : parameters) {
     parameter.value = std::stod(format_number(parameter.value, 3));
+    parameter.min.reset();
+    parameter.max.reset();
+  }
   return SystemModel(run.system.symbolic(), std::move(parameters)).model();
 }
 

@@ -196,7 +196,8 @@ class PlainSearch {
         const auto column = beside.col(static_cast<Index>(i));
         constexpr double kIndependent = 1e-8;  // a fact of rounding, squared
         const double size = column.squaredNorm(), product = column.dot(left);
-        if (size <= kIndependent * columns_[w].col(static_cast<Index>(i)).squaredNorm())
+        // A root has no value where means over fewer samples are below 0.
+        if (!(size > kIndependent * columns_[w].col(static_cast<Index>(i)).squaredNorm()))
           continue;
         const double rest =
             std::max(1e-12, 1.0 - product * product / (size * left.squaredNorm()));

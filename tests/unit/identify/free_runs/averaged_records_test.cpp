@@ -53,11 +53,21 @@ TEST(AveragedRecords, AHeldInputCountsFromItsSampleOn) {
     EXPECT_NEAR(record.inputs(i, 0), 3.0 * (record.time[i] - 0.005), 1e-12);
 }
 
-TEST(AveragedRecords, UnevenAndShortRecordsAreLeftOut) {
+TEST(AveragedRecords, ShortRecordsAreLeftOut) {
+  EXPECT_TRUE(averaged(cubic(0.01), 60).trajectories.empty());
+}
+
+/// A logger whose clock is late by up to a third of a step.
+TEST(AveragedRecords, UnevenStepsCountAsEvenOnes) {
   Dataset data = cubic(0.01);
-  EXPECT_TRUE(averaged(data, 60).trajectories.empty());
-  data.trajectories[0].time[100] += 0.004;
-  EXPECT_TRUE(averaged(data, 2).trajectories.empty());
+  Trajectory& record = data.trajectories[0];
+  for (Index i = 1; i < record.samples(); ++i)
+    record.time[i] += 0.003 * std::sin(static_cast<double>(i * i));
+  record.states.col(0) = record.time.array().cube() - 2.0 * record.time.array();
+  const Trajectory means = averaged(data, 7).trajectories.at(0);
+  ASSERT_GT(means.samples(), 5);
+  for (Index i = 0; i < means.samples(); ++i)
+    EXPECT_NEAR(means.derivatives(i, 1), 6.0 * means.time[i], 1e-7);
 }
 
 }  // namespace

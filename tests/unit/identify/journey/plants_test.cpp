@@ -201,6 +201,18 @@ TEST(Plants, AtASingleStepTheLinearLawIsTaken) {
   EXPECT_THAT(result.warnings, ::testing::Contains(HasSubstr("cannot be distinguished from")));
 }
 
+/// The same plant by a clock that is late by up to a tenth of a step.
+TEST(Plants, UnevenStepsHideNoDeadTime) {
+  Dataset data = heater(5, [](Index i) { return i / 60 % 2 == 0 ? 10.0 : 60.0; });
+  Trajectory& record = data.trajectories[0];
+  for (Index i = 0; i < record.samples(); ++i)
+    record.time[i] += 0.05 * std::sin(0.7 * static_cast<double>(i * i));
+  const IdentificationResult result = identify_records(data).result;
+  ASSERT_EQ(result.dead_times.size(), 1u) << to_text(result.model, 5);
+  EXPECT_NEAR(result.dead_times[0].time, 5.0, 0.5);
+  EXPECT_NEAR(result.model.coefficient(0, "T"), -1.0 / 60.0, 5e-4);
+}
+
 /// A -> B -> C at 0.5 and 0.2 per minute from 9, in closed form.
 TEST(Plants, FewSamplesGetASmallLibrary) {
   constexpr Index kSamples = 16;
