@@ -12,17 +12,18 @@ namespace {
 
 using std::numbers::pi;
 
-/// A wave over the place. Its wave number is known to within one wave in the whole range.
+/// A wave over the place. Its wave number is known to within half a wave in the whole range,
+/// and what comes again less than twice is a curve.
 Candidate wave_over(const Scope& scope, const Ripple& ripple) {
+  constexpr double kKnown = 0.5, kFewestWaves = 2.0;
   const VariableRange& place = scope.state(ripple.position);
   const Expression x = Expression::variable(place.name);
-  const double waves = (place.high - place.low) / ripple.period;
+  const double range = place.high - place.low, waves = range / ripple.period;
   Candidate candidate =
       plain_candidate(formula(scope, "sin(2*pi*x/period+phase)", {{"x", x}}), x);
-  candidate.shapes = {
-      {scope.free_name("period"), place.unit, ripple.period * waves / (waves + 1.0),
-       ripple.period * waves / std::max(waves - 1.0, 0.5), true},
-      {scope.free_name("phase"), "rad", -pi, pi, false}};
+  candidate.shapes = {{scope.free_name("period"), place.unit, range / (waves + kKnown),
+                       range / std::max(waves - kKnown, kFewestWaves), true},
+                      {scope.free_name("phase"), "rad", -pi, pi, false}};
   candidate.starts = {Vector{{ripple.period, 0.0}}, Vector{{ripple.period, 0.5 * pi}}};
   candidate.repeats = true;
   return candidate;

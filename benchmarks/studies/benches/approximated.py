@@ -145,7 +145,11 @@ def two_pipes_into_one(rng):
     return Bench(time, channels_of(rng, ["h1 [m]", "h2 [m]"], x, 0.3), inputs, model)
 
 
-@bench("approximated", lacks=("v:cubic-stiffness", "v:cubic-term"))
+@bench(
+    "approximated",
+    lacks=("v:cubic-stiffness", "v:cubic-term"),
+    also=("v:periodic-function",),
+)
 def spring_with_a_ripple(rng):
     """A spring that hardens with the cube; its coils touch in turn, a ripple of a tenth."""
     time = np.arange(2500) * 0.01
@@ -159,7 +163,7 @@ def spring_with_a_ripple(rng):
     return Bench(time, channels_of(rng, ["x [m]", "v [m/s]"], x, 0.3), {"F [N]": force}, SPRING)
 
 
-@bench("approximated", lacks=("v:quadratic-term",))
+@bench("approximated", lacks=("v:quadratic-term",), also=("v:periodic-function",))
 def fan_on_a_rail(rng):
     """Thrust with the square of the speed of rotation; the rail bends as the carriage rolls."""
     time = np.arange(2400) * 0.02

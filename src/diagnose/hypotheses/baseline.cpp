@@ -40,13 +40,19 @@ std::vector<Assimilation> other_starts(const Baseline& base) {
   return {base.given, std::move(exact)};
 }
 
-/// Where the residual of a velocity comes again with the place.
+/// Where the residual of a velocity comes again with the place. What is strongest at the
+/// longest period of all has its peak beyond it: a curve.
 std::vector<Ripple> ripples_of(const Scope& scope, const Assimilation& fit) {
+  constexpr double kFewestWaves = 2.0;
   std::vector<Ripple> ripples;
-  for (Index k = 0; k < scope.model.dimension(); ++k)
-    if (const auto position = scope.integral_of(k))
-      if (const auto found = best_period(fit, k, *position))
-        ripples.push_back({k, *position, found->longest});
+  for (Index k = 0; k < scope.model.dimension(); ++k) {
+    const auto position = scope.integral_of(k);
+    const auto found = position ? best_period(fit, k, *position) : std::nullopt;
+    if (!found) continue;
+    const VariableRange& place = scope.state(*position);
+    if (kFewestWaves * found->longest < place.high - place.low)
+      ripples.push_back({k, *position, found->longest});
+  }
   return ripples;
 }
 
@@ -119,8 +125,7 @@ Assimilation likeliest_fit(const Problem& problem, const Dataset& data,
 std::optional<Assimilation> from_fitted_start(const Problem& problem,
                                               const BoundRecords& records) {
   const std::optional<OdeModel>& start = problem.memory->start;
-  if (!start || start->states().size() != problem.nominal.states().size())
-    return std::nullopt;
+  if (!start || start->states().size() != problem.nominal.states().size()) return std::nullopt;
   std::vector<std::optional<Hold>> holds;
   for (const Quantity& input : problem.nominal.inputs()) holds.push_back(input.hold);
   const OdeModel model = start->with_holds(holds);

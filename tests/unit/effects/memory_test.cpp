@@ -174,8 +174,8 @@ TEST(PeriodicFunction, StartsAtTheRippleOfItsEquation) {
   ASSERT_EQ(made.size(), 1u);
   EXPECT_EQ(made[0].form, parse_expression("sin(2*pi*q/period+phase)"));
   EXPECT_EQ(made[0].starts[0][0], 0.25);
-  EXPECT_NEAR(made[0].shapes[0].low, 2.0 / 9.0, 1e-3) << "nine waves in the range of 2 m";
-  EXPECT_NEAR(made[0].shapes[0].high, 2.0 / 7.0, 1e-3);
+  EXPECT_NEAR(made[0].shapes[0].low, 2.0 / 8.5, 1e-3) << "eight waves in the range of 2 m";
+  EXPECT_NEAR(made[0].shapes[0].high, 2.0 / 7.5, 1e-3);
   EXPECT_TRUE(candidates_of<kPeriodicFunction>(scope, 0).empty());
 }
 
