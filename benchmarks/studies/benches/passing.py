@@ -28,7 +28,7 @@ def oven_dries(rng):
     return Bench(time, {"T [degC]": noisy(rng, x, 0.3)}, {"P [W]": power}, OVEN)
 
 
-@bench("passing", lacks=BEYOND)
+@bench("passing", lacks=("T:change",))
 def oven_door(rng):
     """The door stood open for a fifth of the first part."""
     time = np.arange(2400) * 5.0
@@ -42,7 +42,7 @@ def oven_door(rng):
     return Bench(time, {"T [degC]": noisy(rng, x, 0.3)}, {"P [W]": power}, OVEN)
 
 
-@bench("passing", lacks=BEYOND)
+@bench("passing", lacks=("w:change",))
 def motor_belt_changed(rng):
     """At two thirds of the first part another belt was put on: gain and friction jump."""
     time = np.arange(3000) * 0.01
