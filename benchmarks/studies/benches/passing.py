@@ -7,7 +7,7 @@ change goes on, is over, or never comes again.
 
 import numpy as np
 
-from benches import BEYOND, Bench, bench, noisy, simulate, steps
+from benches import Bench, bench, noisy, simulate, steps
 
 MOTOR = "time s\ninput u [V] hold zero\nparam a = 7\nparam b = 2.4\ndw/dt = a*u - b*w\n"
 OVEN = "time s\ninput P [W] hold zero\nparam a = 0.018\nparam b = 5e-3\ndT/dt = a*P - b*(T-20)\n"
@@ -98,7 +98,7 @@ def pond_with_tide(rng):
     return Bench(time, {"h [m]": noisy(rng, x, 0.5)}, {"q": pump}, model)
 
 
-@bench("passing", lacks=BEYOND)
+@bench("passing", lacks=("v:change",))
 def cart_on_a_table(rng):
     """The table was levelled twice: a constant force that jumps."""
     time = np.arange(2400) * 0.02
