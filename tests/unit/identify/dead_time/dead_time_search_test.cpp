@@ -28,8 +28,8 @@ Dataset swings() {
   record.inputs.resize(kSamples, 1);
   double x = 1.4, v = 0.0;
   const double h = kStep / kFine;
-  const auto pull = [](double x, double v, double u) {
-    return -12.0 * std::sin(x) - 0.1 * v - 0.3 * std::tanh(v / 0.01) + u;
+  const auto pull = [](double angle, double speed, double drive) {
+    return -12.0 * std::sin(angle) - 0.1 * speed - 0.3 * std::tanh(speed / 0.01) + drive;
   };
   for (Index i = 0; i < kSamples; ++i) {
     record.states.row(i) << x + 3e-3 * random.normal(), v + 1e-2 * random.normal();
