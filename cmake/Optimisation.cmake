@@ -5,6 +5,7 @@ set(lacuna_fast_folders
   src/core/numerics               #  8 %: products, decompositions, sampled signals
   src/identify/forms_beside       #  4 %: rows of candidates
   src/model/expressions           #  7 %: values of equations
+  src/records/channels            #  4 %: delayed and held inputs
   src/regression/linear           #  2 %: statistics of rows; 11 % of identify
   src/trajectories/fit            # 15 % of fit: runs with derivatives
   src/trajectories/refiners       #  3 %: steps with derivatives
@@ -12,6 +13,11 @@ set(lacuna_fast_folders
   src/trajectories/shooting       #  2 % of identify: fits of stretches
   src/trajectories/smoother       # 31 %: filters and smoothers, responses to columns
   src/trajectories/windows)       #  6 % of identify: fits of windows
+foreach(folder IN LISTS lacuna_fast_folders)
+  if(NOT IS_DIRECTORY ${PROJECT_SOURCE_DIR}/${folder})
+    message(FATAL_ERROR "cmake/Optimisation.cmake: there is no folder ${folder}")
+  endif()
+endforeach()
 
 set(lacuna_fast_option "")
 if(CMAKE_CXX_FLAGS_RELEASE MATCHES "-O2")
