@@ -8,6 +8,7 @@
 
 #include "fit_steps.hpp"
 #include "lacuna/dynamics/integration/butcher_tableau.hpp"
+#include "model/expressions/domain.hpp"
 
 namespace lacuna {
 namespace {
@@ -100,8 +101,11 @@ void take_implicit_steps(FitEngine& engine) {
 }
 
 FitEngine fit_engine(const ParametrisedModel& model, FitRecords records) {
-  Rates rates(model);
-  Channels channels(model, formulas_of(records));
+  Rates rates(model, Outside::AsAtTheEdge);
+  std::vector<Expression> formulas = formulas_of(records);
+  FitDomain domain(model, formulas);
+  for (Expression& formula : formulas) formula = held_in_domain(formula);
+  Channels channels(model, formulas);
   StageSignals signals = stage_signals(records.series, rates, {&runge_kutta_4(), 1});
   Vector sigma(channels.count());
   for (Index c = 0; c < sigma.size(); ++c) {
@@ -113,6 +117,7 @@ FitEngine fit_engine(const ParametrisedModel& model, FitRecords records) {
                    std::move(records),
                    std::move(rates),
                    std::move(channels),
+                   std::move(domain),
                    std::move(signals),
                    std::move(sigma)};
   for (Index c = 0; c < engine.count(); ++c) {
@@ -168,6 +173,7 @@ void follow_record(FitEngine& engine, const FitPoint& point, const Gains& gains,
   const Index end = engine.records.end(record);
   for (Index n = engine.records.first(record); n < end; ++n) {
     arrive(engine, n, x, path);
+    if (gains.size() == 0) end_outside(engine, n, x, scratch, path);
     path.states.row(n) = x.transpose();
     compare(engine, n, x, scratch, path.residuals);
     correct(gains, n, path.residuals, x);
@@ -319,10 +325,13 @@ bool is_stiff(FitEngine& engine, const FitPoint& point, const FitPath& path) {
 }  // namespace
 
 void choose_method(FitEngine& engine, const FitPoint& point) {
-  if (engine.implicit || !is_stiff(engine, point, follow(engine, point, {}))) return;
+  if (engine.implicit) return;
+  const FitPath before = follow(engine, point, {});
+  if (!is_stiff(engine, point, before)) return;
   take_implicit_steps(engine);
   const FitPath path = follow(engine, point, {});
-  if (!std::isfinite(path.cost) || !is_stiff(engine, point, path)) engine.implicit.reset();
+  if (!std::isfinite(path.cost) || !(before.left_domain || is_stiff(engine, point, path)))
+    engine.implicit.reset();
 }
 
 bool leave_implicit_steps(FitEngine& engine, const FitPoint& point) {

@@ -107,11 +107,14 @@ class RecordBlocks final : public BlockProblem {
   FitLinear linear_;
 };
 
-/// Values per unknown in the order [initial states, local, global]; states have no range.
-Vector in_order(const FitUnknowns& unknowns, const Vector& range, Index states, double none) {
-  Vector all(states + range.size());
-  all.head(states).setConstant(none);
-  Index column = states;
+/// Ends per unknown in the order [initial states, local, global].
+/// @param states those of the states, or nothing where they have none.
+Vector in_order(const FitUnknowns& unknowns, const Vector& states, const Vector& range,
+                double none) {
+  Index column = static_cast<Index>(unknowns.initial.size());
+  Vector all(column + range.size());
+  all.head(column).setConstant(none);
+  all.head(states.size()) = states;
   for (const auto* part : {&unknowns.local, &unknowns.global})
     for (const Index p : *part) all[column++] = range[p];
   return all.head(column);
@@ -240,13 +243,14 @@ FitMinimum minimise_in_time(FitEngine& engine, const FitUnknowns& unknowns,
                             const RunContext& context) {
   constexpr double kSmall = 1e-5;
   FitMinimum best{start, {}};
+  const StateRanges& inside = engine.records.inside;
   RecordBlocks blocks(engine, unknowns, start, gains, context, best);
   try {
     const BlockMinimum found =
         minimise_blocks(blocks, blocks.blocks_of(start),
                         {degrees_of_freedom(engine, unknowns), kSmall, most_iterations,
-                         in_order(unknowns, unknowns.lower, engine.states(), -kInfinity),
-                         in_order(unknowns, unknowns.upper, engine.states(), kInfinity), true},
+                         in_order(unknowns, inside.lower, unknowns.lower, -kInfinity),
+                         in_order(unknowns, inside.upper, unknowns.upper, kInfinity), true},
                         context);
     best.converged = found.converged;
     best.iterations = found.iterations;

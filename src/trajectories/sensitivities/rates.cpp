@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "model/expressions/domain.hpp"
+
 namespace lacuna {
 namespace {
 
@@ -11,12 +13,16 @@ void resize_rows(Matrix& matrix, Index rows, Index columns) {
   if (matrix.rows() < rows || matrix.cols() != columns) matrix.resize(rows, columns);
 }
 
-RateForm form_of(const ParametrisedModel& model) {
+RateForm form_of(const ParametrisedModel& model, Outside outside) {
   RateForm form;
   for (const Equation& equation : model.symbolic().equations()) {
     form.emplace_back();
     for (const WeightedTerm& summand : equation)
-      form.back().push_back({summand.term.expression(), summand.coefficient, {}});
+      form.back().push_back({outside == Outside::AsAtTheEdge
+                                 ? held_in_domain(summand.term.expression())
+                                 : summand.term.expression(),
+                             summand.coefficient,
+                             {}});
   }
   Index number = 0;
   for (const FreeCoefficient& c : model.coefficients())
@@ -50,11 +56,11 @@ WeightedSums sums_of(const RateForm& form, ExpressionList& terms) {
 
 }  // namespace
 
-Rates::Rates(const ParametrisedModel& model)
+Rates::Rates(const ParametrisedModel& model, Outside outside)
     : variables_(model.symbolic().variables()),
       record_inputs_(model.record_inputs()),
       column_count_(model.size()),
-      form_(form_of(model)),
+      form_(form_of(model, outside)),
       terms_(terms_of(form_)),
       rate_sums_(sums_of(form_, terms_)),
       rate_(terms_.list(), variables_),
