@@ -13,8 +13,6 @@ namespace lacuna {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-/// Blocks of neighbouring samples whose gradients show the correlation of the residuals.
-constexpr Index kBlocks = 40;
 
 void add_row(RowFold& fold, Index column, double entry, double target) {
   double* row = fold.next_row();
@@ -194,7 +192,7 @@ FitLinear linearise(FitEngine& engine, const FitUnknowns& unknowns, const FitPoi
   all.add_triangle(linear.prior);
   linear.reduced = *all.finish();
   if (!with_gradients || g == 0) return linear;
-  linear.gradients = Matrix::Zero(g, kBlocks);
+  linear.gradients = Matrix::Zero(g, kGradientBlocks);
   for (Index r = 0; r < engine.records.records(); ++r) {
     const Matrix& triangle = linear.records[static_cast<std::size_t>(r)];
     Matrix elimination(locals, g);
@@ -204,7 +202,7 @@ FitLinear linearise(FitEngine& engine, const FitUnknowns& unknowns, const FitPoi
     sensitivities(engine, point, path, gains, r,
                   [&](Index n, const Matrix& rows, const Vector& residual) {
                     add_gradients(rows(Eigen::all, order), residual, elimination,
-                                  linear.gradients.col(n * kBlocks / engine.records.samples()));
+                                  linear.gradients.col(n * kGradientBlocks / engine.records.samples()));
                   });
   }
   return linear;

@@ -25,6 +25,9 @@ FitUnknowns fit_unknowns(const ParametrisedModel& model, std::vector<Index> loca
 /// Places of the columns [initial states, parameters] in the order [initial, local, global].
 std::vector<Index> column_order(const FitEngine& engine, const FitUnknowns& unknowns);
 
+/// Blocks of neighbouring samples whose gradients show the correlation of the residuals.
+constexpr Index kGradientBlocks = 40;
+
 /// The problem linearised at a point.
 struct FitLinear {
   /// R of [initial states, local, global parameters | residual] of each record.
