@@ -200,10 +200,23 @@ void check_bands(const SystemModel& system, const FitOptions& options) {
 /// What is said of records that were cut into windows.
 std::string note_on_windows(std::size_t records, std::size_t windows) {
   return "errors of free runs grow too much along so long " +
-         std::string(records == 1 ? "a record" : "records") + ": " +
-         std::to_string(windows) +
+         std::string(records == 1 ? "a record" : "records") + ": " + std::to_string(windows) +
          " pieces were fitted, each from initial states of its own, which is as far as the model "
          "can be carried on";
+}
+
+/// What is said of an answer that has all else.
+void add_notes(const SystemModel& system, const FitData& all, const FitRecords& seen,
+               const FitOptions& options, Fit& result) {
+  std::vector<std::string> notes = notes_of(result);
+  result.notes.insert(result.notes.begin(), notes.begin(), notes.end());
+  if (!all.held_out.trajectories.empty() && !result.gap)
+    result.notes.push_back(no_gap(options));
+  if (const std::string note = start_note(system, all.data); !note.empty())
+    result.notes.push_back(note);
+  const std::vector<std::string> jumps = notes_on_jumps(all.data);
+  for (const auto* more : {&jumps, &all.data.notes, &all.held_out.notes, &seen.notes})
+    result.notes.insert(result.notes.end(), more->begin(), more->end());
 }
 
 /// A fit of a model whose delays are known.
@@ -233,7 +246,8 @@ Fit fit_from(const SystemModel& system, const FitData& all, const Vector& values
   if (found.windows) {
     const std::vector<Index>& begins = found.windows->begins;
     const Vector reached = found.typical.parameters.row(0).transpose();
-    Fit cut = fit_from(system, {cut_at(data, begins), held_out}, reached, false, options, context);
+    Fit cut =
+        fit_from(system, {cut_at(data, begins), held_out}, reached, false, options, context);
     cut.notes.push_back(note_on_windows(data.trajectories.size(), begins.size()));
     return cut;
   }
@@ -245,15 +259,7 @@ Fit fit_from(const SystemModel& system, const FitData& all, const Vector& values
   if (!held_out.trajectories.empty())
     result.gap = gap_of(model, found.typical, held_out, usual_states(found.minimum.path),
                         options, found.unknowns, context);
-  std::vector<std::string> notes = notes_of(result);
-  result.notes.insert(result.notes.begin(), notes.begin(), notes.end());
-  if (!held_out.trajectories.empty() && !result.gap) result.notes.push_back(no_gap(options));
-  if (const std::string note = start_note(system, data); !note.empty())
-    result.notes.push_back(note);
-  const std::vector<std::string>& left_out = engine.records.notes;
-  const std::vector<std::string> jumps = notes_on_jumps(data);
-  for (const auto* more : {&jumps, &data.notes, &held_out.notes, &left_out})
-    result.notes.insert(result.notes.end(), more->begin(), more->end());
+  add_notes(system, all, engine.records, options, result);
   return result;
 }
 

@@ -393,9 +393,10 @@ FitSearch settled_search(FitEngine& engine, const FitUnknowns& unknowns, const F
 
 }  // namespace
 
-FitSearch search_fit(FitEngine& engine, const FitUnknowns& unknowns, const FitPoint& start,
+FitSearch search_fit(FitEngine& engine, const FitUnknowns& unknowns, const FitPoint& given,
                      const FitSearchOptions& options, const RunContext& context) {
-  choose_method(engine, start);
+  choose_method(engine, given);
+  const FitPoint start = off_edges(engine, given);
   if (options.rough) return from_several_starts(engine, unknowns, start, options, context);
   const Vector sigma = engine.sigma;
   const auto laws = engine.laws;

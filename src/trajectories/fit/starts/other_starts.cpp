@@ -69,6 +69,21 @@ std::optional<FitPoint> raised(FitEngine& engine, FitPoint point, double sign) {
   return any ? std::optional(std::move(point)) : std::nullopt;
 }
 
+FitPoint off_edges(FitEngine& engine, FitPoint point) {
+  const StateRanges& inside = engine.records.inside;
+  std::vector<std::pair<double*, Index>> at_edges;  // values and their states
+  for (Index k = 0; k < inside.lower.size(); ++k)
+    for (double& value : point.starts.col(k))
+      if (engine.records.guessed[static_cast<std::size_t>(k)] &&
+          (value == inside.lower[k] || value == inside.upper[k]))
+        at_edges.emplace_back(&value, k);
+  if (at_edges.empty()) return point;
+  const Vector scale = disturbances_of(engine, follow(engine, point, {}), 1.0).scale;
+  for (const auto& [value, k] : at_edges)
+    *value = mirrored_into(inside, k, *value + scale[k]);
+  return point;
+}
+
 bool is_wide(double lower, double upper, double spread) {
   return lower > 0.0 && std::isfinite(upper) && upper / lower > std::pow(spread, 4.0);
 }

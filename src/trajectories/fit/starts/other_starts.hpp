@@ -19,6 +19,10 @@ FitPoint other_start(FitEngine& engine, const FitUnknowns& unknowns, FitPoint po
 /// all positive. Nothing where no state is guessed.
 std::optional<FitPoint> raised(FitEngine& engine, FitPoint point, double sign);
 
+/// The start with hidden states that begin at the edge of where the model is defined one spread
+/// inside of it: at the edge of a root the residuals have no slope.
+FitPoint off_edges(FitEngine& engine, FitPoint point);
+
 /// Whether a range is positive and so wide that starts about another one do not come to its ends.
 bool is_wide(double lower, double upper, double spread);
 
