@@ -87,8 +87,8 @@ std::map<std::string, nlohmann::json> numbers_in(const nlohmann::json& model) {
   std::map<std::string, nlohmann::json> numbers;
   for (const auto& equation : model["equations"])
     for (const auto& term : equation["terms"])
-      numbers[equation["state"].get<std::string>() + ": " + term["term"].get<std::string>()] =
-          {{"value", term["coefficient"]}, {"ci95", term["ci95"]}};
+      numbers[equation["state"].get<std::string>() + ": " + term["term"].get<std::string>()] = {
+          {"value", term["coefficient"]}, {"ci95", term["ci95"]}};
   return numbers;
 }
 
@@ -104,7 +104,8 @@ TEST(IdentifiedModel, HasTheSameNumbersWhenItIsFitted) {
   const std::string data = folder.file("run.csv"), model = folder.file("found.json");
   ASSERT_EQ(run_program("simulate " + truth +
                         " --x0 1,2,20 --t-end 24 --dt 0.02 --noise x=0.2,y=0.2,z=0.2 --seed 5 "
-                        "-o " + data)
+                        "-o " +
+                        data)
                 .status,
             0);
   const CommandResult identified =
@@ -113,10 +114,9 @@ TEST(IdentifiedModel, HasTheSameNumbersWhenItIsFitted) {
   const CommandResult fitted = run_program("fit " + model + " " + data + " --json -");
   ASSERT_EQ(fitted.status, 0) << fitted.err;
   const auto found = numbers_in(nlohmann::json::parse(identified.out)["model"]);
-  const std::map<std::string, double> true_numbers = {{"x: x", -9.2}, {"x: y", 9.2},
-                                                      {"y: x", 27.0}, {"y: y", -1.0},
-                                                      {"y: x*z", -1.0}, {"z: x*y", 1.0},
-                                                      {"z: z", -2.4}};
+  const std::map<std::string, double> true_numbers = {
+      {"x: x", -9.2},   {"x: y", 9.2},   {"y: x", 27.0}, {"y: y", -1.0},
+      {"y: x*z", -1.0}, {"z: x*y", 1.0}, {"z: z", -2.4}};
   const auto answer = nlohmann::json::parse(fitted.out);
   ASSERT_EQ(answer["parameters"].size(), true_numbers.size());
   for (const auto& one : answer["parameters"]) {

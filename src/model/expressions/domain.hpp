@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Functions that are not defined everywhere: sqrt, log, asin, acos, and powers that are not whole.
+// Functions that are not defined everywhere: sqrt, log, asin, acos, powers that are not whole.
 #pragma once
 
 #include <vector>

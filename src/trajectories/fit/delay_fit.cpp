@@ -141,8 +141,8 @@ void search_range(DelayProfile& profile, const DelayRange& range, double given) 
       [&](double value) { return profile.at(value).deviance; }, low, high, kBits);
 }
 
-/// The scatter of the sums of scores over blocks of neighbouring values, times a variance that takes
-/// the values as independent: what that grows by. A prior has no scatter.
+/// The scatter of the sums of scores over blocks of neighbouring values, times a variance that
+/// takes the values as independent: what that grows by. A prior has no scatter.
 double scatter_of(const Vector& scores, double variance) {
   const Index blocks = std::min(kGradientBlocks, scores.size());
   if (blocks < 2) return 1.0;

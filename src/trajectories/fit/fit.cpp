@@ -201,8 +201,8 @@ void check_bands(const SystemModel& system, const FitOptions& options) {
 std::string note_on_windows(std::size_t records, std::size_t windows) {
   return "errors of free runs grow too much along so long " +
          std::string(records == 1 ? "a record" : "records") + ": " + std::to_string(windows) +
-         " pieces were fitted, each from initial states of its own, which is as far as the model "
-         "can be carried on";
+         " pieces were fitted, each from initial states of its own, which is as far as the "
+         "model can be carried on";
 }
 
 /// What is said of an answer that has all else.
@@ -220,8 +220,8 @@ void add_notes(const SystemModel& system, const FitData& all, const FitRecords& 
 }
 
 /// A fit of a model whose delays are known.
-/// @param values P: where the search begins. @param may_be_cut whether the records may be fitted
-/// in windows where no free run meets them.
+/// @param values P: where the search begins. @param may_be_cut whether the records may be
+/// fitted in windows where no free run meets them.
 Fit fit_from(const SystemModel& system, const FitData& all, const Vector& values,
              bool may_be_cut, const FitOptions& options, const RunContext& context) {
   const Dataset &data = all.data, &held_out = all.held_out;

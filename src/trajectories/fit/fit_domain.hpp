@@ -13,8 +13,8 @@ struct StateRanges {
   Vector lower, upper;  ///< m
 };
 
-/// The values of each state for which functions of it alone (sqrt(h), sqrt(2*g*h), log(x - 1)) are
-/// defined.
+/// The values of each state for which functions of it alone (sqrt(h), sqrt(2*g*h), log(x - 1))
+/// are defined.
 StateRanges state_ranges(const ParametrisedModel& model);
 
 /// Whether runs stay where the equations and some formulas of a model are defined. Functions of
@@ -30,8 +30,8 @@ class FitDomain {
   void begin() { largest_.setZero(); }
 
   /// Whether the model is defined at the next point of the run. Its margins may be below 0 by a
-  /// fraction of their largest value so far: integration that lets errors of this size pass ends
-  /// on either side of the edge.
+  /// fraction of their largest value so far: integration that lets errors of this size pass
+  /// ends on either side of the edge.
   /// @param slots as those of Rates.
   bool holds(const double* slots, double passed);
 

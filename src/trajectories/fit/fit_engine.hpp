@@ -71,7 +71,8 @@ struct FitPath {
   /// Sum of (residual / sigma)^2, or -2 log-likelihood of a law less a constant; infinite where
   /// a path diverges.
   double cost = 0.0;
-  /// Whether a free run came to where the model is not defined: it has no numbers from there on.
+  /// Whether a free run came to where the model is not defined: it has no numbers from there
+  /// on.
   bool left_domain = false;
 };
 

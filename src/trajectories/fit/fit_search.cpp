@@ -335,7 +335,8 @@ void try_windows(FitEngine& engine, const FitUnknowns& unknowns, const FitPoint&
               options, context, search);
   if (is_good(engine, unknowns, start, search.best, options))
     search.departs = false;
-  else if (found->meets_records && static_cast<Index>(found->begins.size()) > start.starts.rows())
+  else if (found->meets_records &&
+           static_cast<Index>(found->begins.size()) > start.starts.rows())
     search.windows = std::move(found);
 }
 

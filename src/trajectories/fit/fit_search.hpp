@@ -22,8 +22,8 @@ struct FitSearch {
   /// is chaotic over so long a record, and other starts come to no more.
   bool departs = false;
   bool met_noise = false;  ///< whether it came to the noise by the steps of the search
-  /// Where the model meets the records in windows and no free run does: the windows. Nothing else
-  /// is of use then.
+  /// Where the model meets the records in windows and no free run does: the windows. Nothing
+  /// else is of use then.
   std::optional<FitInWindows> windows = {};
 };
 
@@ -55,10 +55,10 @@ struct FitSearchOptions {
 /// Gains are held while parameters are fitted, and the disturbance is taken away step by step
 /// (continuation in the gain of an observer: Ljung, System Identification (1999), Sect. 7.2;
 /// Abarbanel et al., SIAM J. Appl. Dyn. Syst. 8:1341, 2009). The free run from the guess itself
-/// is tried too, first where the model is stiff; where residuals stay above the noise, numbers from
-/// windows of the records, and where these meet the records and no free run does, windows are what
-/// is found; then seeded other starts. Past a deadline the best run so far is the answer, its minimum not `in_time` where the
-/// fit from the given start was cut.
+/// is tried too, first where the model is stiff; where residuals stay above the noise, numbers
+/// from windows of the records, and where these meet the records and no free run does, windows
+/// are what is found; then seeded other starts. Past a deadline the best run so far is the
+/// answer, its minimum not `in_time` where the fit from the given start was cut.
 FitSearch search_fit(FitEngine& engine, const FitUnknowns& unknowns, const FitPoint& start,
                      const FitSearchOptions& options, const RunContext& context);
 

@@ -201,8 +201,9 @@ FitLinear linearise(FitEngine& engine, const FitUnknowns& unknowns, const FitPoi
                                             triangle.col(locals + j).head(locals));
     sensitivities(engine, point, path, gains, r,
                   [&](Index n, const Matrix& rows, const Vector& residual) {
-                    add_gradients(rows(Eigen::all, order), residual, elimination,
-                                  linear.gradients.col(n * kGradientBlocks / engine.records.samples()));
+                    add_gradients(
+                        rows(Eigen::all, order), residual, elimination,
+                        linear.gradients.col(n * kGradientBlocks / engine.records.samples()));
                   });
   }
   return linear;

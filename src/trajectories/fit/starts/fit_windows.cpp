@@ -29,8 +29,8 @@ std::optional<FitInWindows> fitted_in_windows(const FitEngine& engine,
                                               const FitUnknowns& unknowns, const Dataset& view,
                                               const RunContext& context) {
   const auto& given = unknowns.initial;
-  const bool begins_anywhere = std::all_of(given.begin(), given.end(),
-                                           [](const auto& initial) { return !initial; });
+  const bool begins_anywhere =
+      std::all_of(given.begin(), given.end(), [](const auto& initial) { return !initial; });
   if (!begins_anywhere || !unknowns.local.empty() || engine.events ||
       !engine.rates.delays().empty() || !is_complete(view, engine.states()))
     return std::nullopt;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where all states are measured: numbers fitted in windows of the records, from a state in each.
+// Where all states are measured: numbers fitted in windows, from a state in each.
 #pragma once
 
 #include <optional>
@@ -20,8 +20,8 @@ struct FitInWindows {
 
 /// Multiple shooting from the numbers given (refine()): windows are as long as errors that grow
 /// along the records let them be. Nothing where they cannot begin anywhere: a state that has no
-/// value at some sample, initial values that are given, numbers that each record has for itself,
-/// delays, events.
+/// value at some sample, initial values that are given, numbers that each record has for
+/// itself, delays, events.
 /// @param view records in the variables of the model, those of the engine.
 /// Past a deadline the windows are those that it has come to.
 std::optional<FitInWindows> fitted_in_windows(const FitEngine& engine,

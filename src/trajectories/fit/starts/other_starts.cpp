@@ -79,8 +79,7 @@ FitPoint off_edges(FitEngine& engine, FitPoint point) {
         at_edges.emplace_back(&value, k);
   if (at_edges.empty()) return point;
   const Vector scale = disturbances_of(engine, follow(engine, point, {}), 1.0).scale;
-  for (const auto& [value, k] : at_edges)
-    *value = mirrored_into(inside, k, *value + scale[k]);
+  for (const auto& [value, k] : at_edges) *value = mirrored_into(inside, k, *value + scale[k]);
   return point;
 }
 

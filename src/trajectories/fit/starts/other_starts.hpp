@@ -10,8 +10,8 @@
 
 namespace lacuna {
 
-/// Another start: parameters off by a random factor up to `spread`, hidden states anywhere where
-/// the model is defined.
+/// Another start: parameters off by a random factor up to `spread`, hidden states anywhere
+/// where the model is defined.
 FitPoint other_start(FitEngine& engine, const FitUnknowns& unknowns, FitPoint point,
                      double spread, Random& random);
 

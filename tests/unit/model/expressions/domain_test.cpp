@@ -27,17 +27,21 @@ struct Edge {
 };
 
 TEST(Domain, FunctionsGoOnAsTheyAreAtTheirEdge) {
-  for (const Edge& one : {Edge{"3*sqrt(x)", 0.25, 0.0, -0.1}, {"x^0.7", 0.25, 0.0, -2.0},
-                          {"x*log(x)", 0.25, 0.0, 0.0}, {"asin(x)", 0.25, 1.0, 1.5},
-                          {"acos(x/2)", 0.25, -2.0, -2.5}, {"sqrt(4-x)", 0.25, 4.0, 9.0},
-                          {"x^n", 0.25, 0.0, -1.0}, {"x^(1/3)", 0.5, 0.0, -1.0}}) {
+  for (const Edge& one : {Edge{"3*sqrt(x)", 0.25, 0.0, -0.1},
+                          {"x^0.7", 0.25, 0.0, -2.0},
+                          {"x*log(x)", 0.25, 0.0, 0.0},
+                          {"asin(x)", 0.25, 1.0, 1.5},
+                          {"acos(x/2)", 0.25, -2.0, -2.5},
+                          {"sqrt(4-x)", 0.25, 4.0, 9.0},
+                          {"x^n", 0.25, 0.0, -1.0},
+                          {"x^(1/3)", 0.5, 0.0, -1.0}}) {
     const Expression formula = parse_expression(one.formula), held = held_in_domain(formula);
     EXPECT_EQ(value_at(held, one.inside), value_at(formula, one.inside)) << one.formula;
     EXPECT_EQ(value_at(differentiate(held, "x"), one.inside),
               value_at(differentiate(formula, "x"), one.inside))
         << one.formula;
-    const double edge = std::isnan(value_at(formula, one.edge)) ? 0.0
-                                                                : value_at(formula, one.edge);
+    const double edge =
+        std::isnan(value_at(formula, one.edge)) ? 0.0 : value_at(formula, one.edge);
     EXPECT_NEAR(value_at(held, one.outside), edge, 1e-7) << one.formula;
     for (const double x : {one.edge, one.outside})
       for (const char* by : {"x", "n"})

@@ -23,8 +23,8 @@ namespace {
 
 using State = std::array<double, 2>;
 
-/// Two states by so many Euler steps in a sample that they are exact beside the noise; what would
-/// be below 0 is 0. The input is off in every other interval.
+/// Two states by so many Euler steps in a sample that they are exact beside the noise; what
+/// would be below 0 is 0. The input is off in every other interval.
 struct Emptied {
   std::function<State(const State&, double)> rates;
   std::function<double(const State&)> seen;
@@ -61,7 +61,8 @@ Dataset record_of(const Emptied& plant, std::uint64_t seed) {
 
 Fit fitted(const std::string& text, const Emptied& plant, std::uint64_t seed) {
   const SystemModel system = parse_ode_system(text, "m.ode");
-  return fit(system, model_view(system.model(), record_of(plant, seed), FiniteDifferences{}), {});
+  return fit(system, model_view(system.model(), record_of(plant, seed), FiniteDifferences{}),
+             {});
 }
 
 void expect_numbers(const Fit& found, const std::vector<double>& truth) {
@@ -78,15 +79,14 @@ void expect_numbers(const Fit& found, const std::vector<double>& truth) {
 TEST(FitDomain, AHiddenVesselThatEmptiesIntoAFilter) {
   // A hidden level behind an orifice, whose outflow passes a filter that is measured.
   const double k = 0.8, a = 0.5, tau = 4.0;
-  const Emptied plant{
-      [=](const State& x, double u) {
-        const double flow = a * std::sqrt(x[0]);
-        return State{k * u - flow, (flow - x[1]) / tau};
-      },
-      [](const State& x) { return x[1]; },
-      {0.7, 0.2},
-      0.5,
-      0.004};
+  const Emptied plant{[=](const State& x, double u) {
+                        const double flow = a * std::sqrt(x[0]);
+                        return State{k * u - flow, (flow - x[1]) / tau};
+                      },
+                      [](const State& x) { return x[1]; },
+                      {0.7, 0.2},
+                      0.5,
+                      0.004};
   const std::string text =
       "input u hold zero\nparam k = 1.05 in 0.05..5\nparam a = 0.36 in 0.05..5\n"
       "param tau = 5.4 in 0.5..50\ndh/dt = k*u - a*sqrt(h)\n"
@@ -97,15 +97,14 @@ TEST(FitDomain, AHiddenVesselThatEmptiesIntoAFilter) {
 TEST(FitDomain, APowerThatIsNoRoot) {
   // A substance that is used up by a law between order 0 and 1; its product is measured.
   const double r = 0.3;
-  const Emptied plant{
-      [=](const State& x, double u) {
-        const double used = r * std::pow(x[0], 0.4);
-        return State{u - used, used - 0.2 * x[1]};
-      },
-      [](const State& x) { return x[1]; },
-      {1.0, 0.5},
-      0.4,
-      0.01};
+  const Emptied plant{[=](const State& x, double u) {
+                        const double used = r * std::pow(x[0], 0.4);
+                        return State{u - used, used - 0.2 * x[1]};
+                      },
+                      [](const State& x) { return x[1]; },
+                      {1.0, 0.5},
+                      0.4,
+                      0.01};
   const std::string text =
       "input u hold zero\nparam r = 0.21 in 0.01..5\nparam l = 0.26 in 0.01..5\n"
       "ds/dt = u - r*s^0.4\ndp/dt = r*s^0.4 - l*p\ny = p\n";

@@ -79,9 +79,9 @@ TEST(FitInWindows, ARecordThatAFreeRunMeetsStaysWhole) {
 }
 
 TEST(FitInWindows, AModelThatLacksSomethingIsNotCut) {
-  const Fit found =
-      fit(parse_ode_system("param a = 1\ndx/dt = a*y*z\ndy/dt = x - y\ndz/dt = 1 + 0*x\n", "m.ode"),
-          chaotic_record(0.02, 5, 600), {}, {.effort = Thoroughness::Quick});
+  const Fit found = fit(
+      parse_ode_system("param a = 1\ndx/dt = a*y*z\ndy/dt = x - y\ndz/dt = 1 + 0*x\n", "m.ode"),
+      chaotic_record(0.02, 5, 600), {}, {.effort = Thoroughness::Quick});
   EXPECT_EQ(found.records.size(), 1u);
 }
 
