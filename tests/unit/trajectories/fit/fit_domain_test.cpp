@@ -31,6 +31,7 @@ struct Emptied {
   State start;
   double step = 0.5, noise = 0.01;
   Index samples = 500, period = 35;
+  bool begins_off = false;
 };
 
 Dataset record_of(const Emptied& plant, std::uint64_t seed) {
@@ -43,7 +44,7 @@ Dataset record_of(const Emptied& plant, std::uint64_t seed) {
   record.inputs.resize(plant.samples, 1);
   State x = plant.start;
   for (Index n = 0; n < plant.samples; ++n) {
-    const bool is_on = (n / plant.period) % 2 == 0;
+    const bool is_on = (n / plant.period) % 2 == (plant.begins_off ? 1 : 0);
     record.inputs(n, 0) = is_on ? 0.6 + 0.2 * static_cast<double>(n / plant.period % 4) : 0.0;
     record.states(n, 0) = plant.seen(x) + plant.noise * random.normal();
     for (int part = 0; part < kParts; ++part) {
@@ -92,6 +93,24 @@ TEST(FitDomain, AHiddenVesselThatEmptiesIntoAFilter) {
       "param tau = 5.4 in 0.5..50\ndh/dt = k*u - a*sqrt(h)\n"
       "dq/dt = (a*sqrt(h) - q)/tau\ny = q\n";
   expect_numbers(fitted(text, plant, 5), {k, a, tau});
+}
+
+TEST(FitDomain, ALevelThatIsEmptyUntilSomethingFlowsIn) {
+  const double k = 0.7, a = 0.5;
+  const Emptied plant{.rates =
+                          [=](const State& x, double u) {
+                            const double flow = a * std::sqrt(x[0]);
+                            return State{k * u - flow, flow - 0.3 * std::sqrt(x[1])};
+                          },
+                      .seen = [](const State& x) { return x[1]; },
+                      .start = {0.0, 0.4},
+                      .begins_off = true};
+  const std::string text =
+      "input u hold zero\nparam k = 0.9 in 0.05..5\nparam a = 0.4 in 0.05..5\n"
+      "param b = 0.4 in 0.05..5\ndx/dt = k*u - a*sqrt(x)\n"
+      "dz/dt = a*sqrt(x) - b*sqrt(z)\ny = z\n";
+  expect_numbers(fitted(text, plant, 9), {k, a, 0.3});
+  expect_numbers(fitted(text + "initial x = 0 fixed\n", plant, 9), {k, a, 0.3});
 }
 
 TEST(FitDomain, APowerThatIsNoRoot) {
