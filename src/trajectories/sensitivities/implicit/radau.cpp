@@ -94,8 +94,8 @@ double RadauFlow::step(Rates& rates, DriveSlots drive, double t, double longest,
   return 0.0;
 }
 
-/// Whether sizes of states are to be guessed: before any step, and where one that has been 0 so far
-/// begins to move.
+/// Whether sizes of states are to be guessed: before any step, and where one that has been 0 so
+/// far begins to move.
 bool RadauFlow::is_rising_from_nothing(const Vector& x) {
   if (passed_.seen.size() == 0) {
     passed_.seen = x.cwiseAbs();
@@ -104,9 +104,10 @@ bool RadauFlow::is_rising_from_nothing(const Vector& x) {
   return (passed_.seen.array() == 0.0 && rate_.array() != 0.0).any();
 }
 
-/// Sizes of the states that have been 0 so far: a thousandth of what one long step makes of them,
-/// or their rates where there is none so long. Without, a state that rises by another power of
-/// the time than the method is exact for would have no step whose error is a small fraction of it.
+/// Sizes of the states that have been 0 so far: a thousandth of what one long step makes of
+/// them, or their rates where there is none so long. Without, a state that rises by another
+/// power of the time than the method is exact for would have no step whose error is a small
+/// fraction of it.
 void RadauFlow::guess_sizes(Rates& rates, DriveSlots drive, double t, double h,
                             const Vector& x) {
   if (!x.allFinite()) return;

@@ -192,8 +192,8 @@ TEST(Radau, ExplicitStepsAreHeldAgainstTheirBoundOfStability) {
   EXPECT_FALSE(is_beyond_explicit_steps(-decay, 2.8e-3)) << "what grows is not stiff";
 }
 
-// x' = u - 1/2 sqrt(x) from 0, u = 0 up to t = 40 and 1 from then on, where time is so far from 0
-// that steps of a small fraction of the first values could not be made.
+// x' = u - 1/2 sqrt(x) from 0, u = 0 up to t = 40 and 1 from then on, where time is so far from
+// 0 that steps of a small fraction of the first values could not be made.
 TEST(RadauFlow, AStateThatLeavesZeroLater) {
   const OdeModel model = parse_ode("input u hold zero\ndx/dt = u - 0.5*sqrt(x)\n", "m.ode");
   Rates rates(ParametrisedModel(model, {}), Outside::AsAtTheEdge);
