@@ -8,7 +8,6 @@
 
 #include "fit_steps.hpp"
 #include "lacuna/dynamics/integration/butcher_tableau.hpp"
-#include "model/expressions/domain.hpp"
 
 namespace lacuna {
 namespace {
@@ -102,10 +101,8 @@ void take_implicit_steps(FitEngine& engine) {
 
 FitEngine fit_engine(const ParametrisedModel& model, FitRecords records) {
   Rates rates(model, Outside::AsAtTheEdge);
-  std::vector<Expression> formulas = formulas_of(records);
-  FitDomain domain(model, formulas);
-  for (Expression& formula : formulas) formula = held_in_domain(formula);
-  Channels channels(model, formulas);
+  const std::vector<Expression> formulas = formulas_of(records);
+  Channels channels(model, formulas, Outside::AsAtTheEdge);
   StageSignals signals = stage_signals(records.series, rates, {&runge_kutta_4(), 1});
   Vector sigma(channels.count());
   for (Index c = 0; c < sigma.size(); ++c) {
@@ -117,7 +114,7 @@ FitEngine fit_engine(const ParametrisedModel& model, FitRecords records) {
                    std::move(records),
                    std::move(rates),
                    std::move(channels),
-                   std::move(domain),
+                   FitDomain(model, formulas),
                    std::move(signals),
                    std::move(sigma)};
   for (Index c = 0; c < engine.count(); ++c) {

@@ -13,21 +13,25 @@ void resize_rows(Matrix& matrix, Index rows, Index columns) {
   if (matrix.rows() < rows || matrix.cols() != columns) matrix.resize(rows, columns);
 }
 
-RateForm form_of(const ParametrisedModel& model, Outside outside) {
+RateForm form_of(const ParametrisedModel& model) {
   RateForm form;
   for (const Equation& equation : model.symbolic().equations()) {
     form.emplace_back();
     for (const WeightedTerm& summand : equation)
-      form.back().push_back({outside == Outside::AsAtTheEdge
-                                 ? held_in_domain(summand.term.expression())
-                                 : summand.term.expression(),
-                             summand.coefficient,
-                             {}});
+      form.back().push_back({summand.term.expression(), summand.coefficient, {}});
   }
   Index number = 0;
   for (const FreeCoefficient& c : model.coefficients())
     form[static_cast<std::size_t>(c.equation)][static_cast<std::size_t>(c.summand)].parameter =
         number++;
+  return form;
+}
+
+/// The form with its terms as they are outside of their domain.
+RateForm held(RateForm form, Outside outside, Expression (*in_domain)(const Expression&)) {
+  if (outside == Outside::NotANumber) return form;
+  for (auto& equation : form)
+    for (RateSummand& summand : equation) summand.term = in_domain(summand.term);
   return form;
 }
 
@@ -60,7 +64,8 @@ Rates::Rates(const ParametrisedModel& model, Outside outside)
     : variables_(model.symbolic().variables()),
       record_inputs_(model.record_inputs()),
       column_count_(model.size()),
-      form_(form_of(model, outside)),
+      form_(held(form_of(model), outside, held_in_domain)),
+      sloped_(held(form_of(model), outside, held_off_edges)),
       terms_(terms_of(form_)),
       rate_sums_(sums_of(form_, terms_)),
       rate_(terms_.list(), variables_),
@@ -98,7 +103,7 @@ Rates::Derivatives Rates::compile() const {
   ExpressionList expressions = terms_;
   PlacedSums jacobian, columns;
   for (std::size_t j = 0; j < variables_.states.size(); ++j)
-    add_derivatives(form_, variables_.states[j], static_cast<Index>(j), expressions, jacobian);
+    add_derivatives(sloped_, variables_.states[j], static_cast<Index>(j), expressions, jacobian);
   Index column = 0;
   for (const TermColumn& c : coefficients_) {
     const RateSummand& summand =
@@ -108,7 +113,7 @@ Rates::Derivatives Rates::compile() const {
     columns.places.push_back({c.equation, column++});
   }
   for (const std::string& shape : shapes_)
-    add_derivatives(form_, shape, column++, expressions, columns);
+    add_derivatives(sloped_, shape, column++, expressions, columns);
   return {Program(expressions.list(), variables_), std::move(jacobian), std::move(columns), {}};
 }
 

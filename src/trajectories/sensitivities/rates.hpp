@@ -86,6 +86,7 @@ class Rates {
   std::vector<std::string> shapes_;
   Index record_inputs_ = 0, column_count_ = 0;
   RateForm form_;
+  RateForm sloped_;  // of which derivatives are taken
   ExpressionList terms_;
   WeightedSums rate_sums_;
   Program rate_;
