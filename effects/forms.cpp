@@ -48,6 +48,13 @@ std::vector<Vector> starts_at(const std::vector<double>& values) {
   return starts;
 }
 
+ShapeParameter rise_speed(const Scope& scope, const Expression& speed) {
+  constexpr double kSlowest = 0.005, kFastest = 0.5;
+  const VariableRange range = scope.range_of(speed);
+  const double widest = range.magnitude();
+  return {"speed", range.unit, kSlowest * widest, kFastest * widest, true};
+}
+
 Candidate play_of(const Scope& scope, Index equation, const Expression& x) {
   const VariableRange range = scope.range_of(x);
   const double reach = 0.5 * (range.high - range.low);

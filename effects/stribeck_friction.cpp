@@ -7,9 +7,6 @@
 namespace lacuna {
 namespace {
 
-// Slower than this fraction of the largest speed is where friction may rise.
-constexpr double kSlowestRise = 0.005, kFastestRise = 0.5;
-
 // How wide the reversal may be: from where it cannot be distinguished from a jump to where it
 // hides the rise.
 constexpr double kNarrowestReversal = 1e-4, kWidestReversal = 0.1;
@@ -21,24 +18,30 @@ std::vector<Candidate> stribeck_friction_forms(const Scope& scope, Index equatio
   const Expression v = own_state(scope, equation);
   Candidate sharp =
       plain_candidate(formula(scope, "(1+rise*exp(-(v/speed)^2))*sign(v)", {{"v", v}}), v);
-  sharp.shapes = {{"rise", "", 0.05, 10.0, true},
-                  {"speed", speed.unit, kSlowestRise * widest, kFastestRise * widest, true}};
+  sharp.shapes = {{"rise", "", 0.05, 10.0, true}, rise_speed(scope, v)};
   Candidate blunt = plain_candidate(
       formula(scope, "(1+rise*exp(-(v/speed)^2))*tanh(v/width)", {{"v", v}}), v);
   blunt.shapes = sharp.shapes;
   blunt.shapes.push_back(
       {"width", speed.unit, kNarrowestReversal * widest, kWidestReversal * widest, true});
+  // What comes on top of dry friction that the model has.
+  Candidate rise =
+      plain_candidate(formula(scope, "exp(-abs(v/speed)^exponent)*sign(v)", {{"v", v}}), v);
+  rise.shapes = {rise_speed(scope, v), {"exponent", "", 0.5, 4.0, true}};
+  for (const double rises : {0.02 * widest, 0.08 * widest, 0.25 * widest})
+    rise.starts.push_back(Vector{{rises, 2.0}});
   for (const double rises : {0.02 * widest, 0.08 * widest, 0.25 * widest}) {
     sharp.starts.push_back(Vector{{1.0, rises}});
     blunt.starts.push_back(Vector{{1.0, rises, 0.01 * widest}});
   }
-  return {sharp, blunt};
+  return {sharp, blunt, rise};
 }
 
 std::optional<Reading> stribeck_friction_reading(const FittedForm& fitted) {
   const Candidate& candidate = fitted.candidate;
   if (!has_form(candidate, "(1+a*exp(-(x/b)^2))*sign(x)") &&
-      !has_form(candidate, "(1+a*exp(-(x/b)^2))*tanh(x/c)"))
+      !has_form(candidate, "(1+a*exp(-(x/b)^2))*tanh(x/c)") &&
+      !has_form(candidate, "exp(-abs(x/a)^b)*sign(x)"))
     return std::nullopt;
   if (!opposes(fitted)) return std::nullopt;
   return Reading{"dry friction opposing " + candidate.argument.to_string() +

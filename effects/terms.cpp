@@ -144,7 +144,7 @@ bool determines_time(const Scope& scope) {
   constexpr double kMemoriesInPeriod = 6.0, kPeriods = 2.0;
   double fastest = scope.duration;
   for (const VariableRange& variable : scope.variables)
-    if (!variable.is_input) fastest = std::min(fastest, variable.timescale);
+    if (!variable.is_input) fastest = std::min(fastest, variable.recurrence);
   return kPeriods * kMemoriesInPeriod * fastest <= scope.duration;
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // What an effect is called does not depend on units, scales or the order of the states.
 #include <algorithm>
+#include <map>
+#include <numeric>
 
 #include "contract/contract.hpp"
 #include "contract/effect_systems.hpp"
@@ -25,8 +27,18 @@ Scope reversed(const EffectSystem& system) {
   scope.samples.leftCols(m) = scope.samples.leftCols(m).rowwise().reverse().eval();
   for (SpectralLine& line : scope.lines) line.equation = m - 1 - line.equation;
   for (ModulationLine& one : scope.modulations) one.line.equation = m - 1 - one.line.equation;
+  for (Ripple& ripple : scope.ripples)
+    ripple = {m - 1 - ripple.equation, m - 1 - ripple.position, ripple.period};
   scope.model = turned;
   return scope;
+}
+
+/// f(x/scale) for a term f(x).
+Term rescaled(const Term& term, const Variables& names, double scale) {
+  std::map<std::string, Expression> parts;
+  for (const std::string& name : term.expression().variables())
+    parts.emplace(name, Expression::variable(name) / Expression::number(scale));
+  return Term(substitute(term.expression(), parts), names);
 }
 
 /// A system in which every variable x is measured as scale * x and time as pace * t.
@@ -37,6 +49,7 @@ Scope scaled(const EffectSystem& system, double scale, double pace) {
       *value *= scale;
     range.quantiles *= scale;
     range.timescale *= pace;
+    range.recurrence *= pace;
   }
   const Index last = scope.samples.cols() - 1;
   scope.samples.leftCols(last) *= scale;
@@ -44,12 +57,13 @@ Scope scaled(const EffectSystem& system, double scale, double pace) {
   for (double* value : {&scope.step, &scope.start, &scope.duration}) *value *= pace;
   for (SpectralLine& line : scope.lines) line.frequency /= pace;
   for (ModulationLine& one : scope.modulations) one.line.frequency /= pace;
+  for (Ripple& ripple : scope.ripples) ripple.period *= scale;
   std::vector<Equation> equations = scope.model.equations();
   for (Equation& equation : equations)
     for (WeightedTerm& summand : equation) {
-      int degree = 0;
-      const std::vector<int> powers = *summand.term.exponents();
-      for (const int power : powers) degree += power;
+      const auto powers = summand.term.exponents();
+      if (!powers) summand.term = rescaled(summand.term, scope.model.variables(), scale);
+      const int degree = powers ? std::accumulate(powers->begin(), powers->end(), 0) : 0;
       summand.coefficient *= std::pow(scale, 1 - degree) / pace;
     }
   scope.model = {scope.model.states(), scope.model.inputs(), equations,

@@ -19,17 +19,19 @@ struct EffectSystem {
   double centre = 0.0;  ///< about which every variable swings by 1
   std::vector<SpectralLine> lines = {};
   std::vector<ModulationLine> modulations = {};
+  std::vector<Ripple> ripples = {};
 
   Scope scope() const {
     Scope scope = support::scope_of(model, centre);
     scope.lines = lines;
     scope.modulations = modulations;
+    scope.ripples = ripples;
     return scope;
   }
 };
 
 /// A body and its drive, with a spring between them; a body for itself; one that is heated; two
-/// tanks and a process of two amounts.
+/// tanks and a process of two amounts; one amount that is used up.
 inline std::vector<EffectSystem> effect_systems() {
   using support::model_of_lines;
   return {
@@ -38,8 +40,11 @@ inline std::vector<EffectSystem> effect_systems() {
                        {"y", {{"y", -1.0}}}},
                       {"u", "w"}),
        0.0,
-       {{1, 0.7, 0.5}}},
+       {{1, 0.7, 0.5}},
+       {},
+       {{1, 0, 0.3}}},
       {model_of_lines({{"T", {{"T", -0.2}, {"u", 1.0}}}}, {"u"}), 20.0},
+      {model_of_lines({{"s", {{"u^2", 2.0}, {"s/(2+s)", -2.0}}}}, {"u"}), 2.0},
       {model_of_lines({{"a", {{"b", -1.0}}}, {"b", {{"a*b", 1.0}, {"u", 1.0}}}}, {"u"}),
        2.0,
        {},

@@ -68,7 +68,7 @@ TEST(HiddenDiagnosis, TakesARandomFactorForNoInput) {
 
 TEST(HiddenDiagnosis, TakesPolesOfAMotorForNoInput) {
   const Score found = diagnosed("turntable-cogging", {"unmeasured-input"}, 0.001);
-  EXPECT_TRUE(found.verdict) << found.answer;
+  EXPECT_EQ(found.answer.rfind("unnamed-structure", 0), 0u) << found.answer;
   EXPECT_EQ(found.spurious, 0) << found.answer;
 }
 
@@ -96,6 +96,11 @@ TEST(HiddenDiagnosis, TakesPolesOfAMotorForNoInputInAnyUnit) {
     EXPECT_TRUE(found.verdict) << unit << ": " << found.answer;
     EXPECT_EQ(found.spurious, 0) << unit << ": " << found.answer;
   }
+}
+
+TEST(HiddenDiagnosis, NamesPolesOfAMotor) {
+  const Score found = diagnosed("turntable-cogging");
+  EXPECT_TRUE(found.verdict && found.equation && found.name) << found.answer;
 }
 
 TEST(HiddenDiagnosis, LeavesACubeWhatItIsWhenAToneHasGone) {

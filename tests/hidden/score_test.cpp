@@ -62,10 +62,10 @@ TEST(Score, VerdictsFollowTheKind) {
   EXPECT_TRUE(right("lorenz-null", Verdict::NoDiscrepancy));
   EXPECT_FALSE(right("lorenz-null", Verdict::CoefficientsOnly));
   EXPECT_TRUE(right("rossler-off", Verdict::CoefficientsOnly));
-  EXPECT_TRUE(right("stage-cogging", Verdict::UnnamedStructure));
+  EXPECT_TRUE(right("oscillator-switching", Verdict::UnnamedStructure));
   EXPECT_TRUE(right("stage-gusts", Verdict::PartlyExplained)) << "nobody knows what comes next";
   EXPECT_FALSE(right("stage-dry-friction", Verdict::PartlyExplained));
-  EXPECT_FALSE(right("stage-cogging", Verdict::Explained));
+  EXPECT_FALSE(right("oscillator-switching", Verdict::Explained));
 }
 
 }  // namespace

@@ -17,15 +17,15 @@ extern const EffectFamily kFeedthrough, kMissingCoupling, kLeakage;
 
 // Springs, friction, transmissions.
 extern const EffectFamily kCubicStiffness, kQuadraticDrag, kCoulombFriction, kStribeckFriction,
-    kBacklash, kHysteresis;
+    kLoadFriction, kBacklash, kHysteresis, kPeriodicFunction;
 
 // Bends and limits.
 extern const EffectFamily kDeadZone, kSaturation, kOneSidedStop, kPiecewiseLinear, kOverflow,
-    kSaturatingRate, kExponentialConduction, kExponentialRate, kRadiation;
+    kSaturatingRate, kExponentialConduction, kExponentialRate, kRateInhibition, kRadiation;
 
 // Time and memory.
-extern const EffectFamily kPeriodicForcing, kPeriodicParameter, kParameterDrift, kTimeTrend,
-    kDelay, kLag, kExtraState, kUnmeasuredInput;
+extern const EffectFamily kPeriodicForcing, kPeriodicParameter, kParameterDrift, kChange,
+    kTimeTrend, kDelay, kLag, kInputLag, kExtraState, kUnmeasuredInput;
 
 // Recording.
 extern const EffectFamily kChannelSkew;
@@ -38,11 +38,12 @@ struct FamilyList {};
 using StandardFamilies =
     FamilyList<kConstantOffset, kLinearTerm, kQuadraticTerm, kCubicTerm, kHigherOrderTerm,
                kCrossTerm, kFeedthrough, kMissingCoupling, kLeakage, kCubicStiffness,
-               kQuadraticDrag, kCoulombFriction, kStribeckFriction, kBacklash, kHysteresis,
-               kDeadZone, kSaturation, kOneSidedStop, kPiecewiseLinear, kOverflow,
-               kSaturatingRate, kExponentialConduction, kExponentialRate, kRadiation,
-               kPeriodicForcing, kPeriodicParameter, kParameterDrift, kTimeTrend, kDelay, kLag,
-               kExtraState, kUnmeasuredInput, kChannelSkew>;
+               kQuadraticDrag, kCoulombFriction, kStribeckFriction, kLoadFriction, kBacklash,
+               kHysteresis, kPeriodicFunction, kDeadZone, kSaturation, kOneSidedStop,
+               kPiecewiseLinear, kOverflow, kSaturatingRate, kExponentialConduction,
+               kExponentialRate, kRateInhibition, kRadiation, kPeriodicForcing,
+               kPeriodicParameter, kParameterDrift, kChange, kTimeTrend, kDelay, kLag,
+               kInputLag, kExtraState, kUnmeasuredInput, kChannelSkew>;
 
 /// The effects of StandardFamilies, in their order.
 std::vector<Stage<Effect>> standard_effects();

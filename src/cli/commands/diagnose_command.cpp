@@ -206,12 +206,34 @@ int diagnose_each(const Session& session, const DiagnoseArguments& options) {
   return 0;
 }
 
+/// What a diagnosis says, and the model with it.
+std::string said(const DiagnoseAnswer& answer) {
+  return format_text(answer.diagnosis) + to_text(answer.augmented.symbolic());
+}
+
+/// Assignments of the command line without each of which the same is said.
+std::vector<AskedOption> idle_assignments(const Registry& registry,
+                                          const DiagnoseRequest& request,
+                                          const DiagnoseAnswer& found,
+                                          const RunContext& context) {
+  return without_effect(request.assignments, said(found),
+                        [&](const std::vector<std::string>& fewer) {
+                          DiagnoseRequest other = request;
+                          other.assignments = fewer;
+                          return said(answer(registry, other, context));
+                        });
+}
+
 int diagnose_command(const Session& session, const DiagnoseArguments& options) {
   check_open(options.report);
   if (options.each) return diagnose_each(session, options);
   if (session.team != nullptr && session.team->rank() != 0) return 0;  // nothing is divided
-  const DiagnoseAnswer found =
-      answer(session.registry, request_of(options), make_context(session, options.run).alone());
+  const DiagnoseRequest request = request_of(options);
+  const RunContext context = make_context(session, options.run).alone();
+  DiagnoseAnswer found = answer(session.registry, request, context);
+  if (options.explain)
+    for (AskedOption& idle : idle_assignments(session.registry, request, found, context))
+      found.asked.push_back(std::move(idle));
   const Diagnosis& diagnosis = found.diagnosis;
   finish_progress(session, options.run);
   if (options.model_out)

@@ -243,6 +243,19 @@ void check_request(const IdentifyRequest& request) {
                       "leave it out, or use `lacuna fit MODEL DATA --holdout`");
 }
 
+/// Assignments of the command line that changed nothing of what is shown.
+std::vector<AskedOption> idle_assignments(const Registry& registry,
+                                          const IdentifyRequest& request,
+                                          const IdentifyAnswer& found, const TextOptions& text,
+                                          const RunContext& context) {
+  return without_effect(request.assignments, format_text(found.report, text),
+                        [&](const std::vector<std::string>& fewer) {
+                          IdentifyRequest other = request;
+                          other.assignments = fewer;
+                          return format_text(answer(registry, other, context).report, text);
+                        });
+}
+
 int identify_command(const Session& session, const IdentifyArguments& options) {
   check_open(options.report);
   RunContext context = make_context(session, options.run);
@@ -256,7 +269,11 @@ int identify_command(const Session& session, const IdentifyArguments& options) {
   }
   IdentifyRequest request = options;
   request.effort = options.run.effort;
-  const IdentifyAnswer found = answer(session.registry, request, context, std::move(first));
+  IdentifyAnswer found = answer(session.registry, request, context, std::move(first));
+  if (options.text.explain)
+    for (AskedOption& idle :
+         idle_assignments(session.registry, request, found, options.text, context))
+      found.asked.push_back(std::move(idle));
   if (!context.leads()) return 0;
   finish_progress(session, options.run);
   write_results(session, options, found);

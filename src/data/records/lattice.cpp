@@ -2,8 +2,11 @@
 #include "lattice.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdio>
+#include <cstdlib>
 #include <vector>
 
 #include "lacuna/data/records/marks.hpp"
@@ -50,14 +53,18 @@ std::optional<double> common_spacing(std::vector<double> gaps, double smallest) 
   return spacing;
 }
 
-/// A coarser lattice whose values were printed with digits of spacing `digit`: of steps q the
-/// text shows round(k q / digit) digit. q is the slope of the line through values over
-/// multiples, which are counted from gap to gap; all values lie nearer to it than a digit.
-std::optional<double> printed_lattice(const std::vector<double>& values, double digit) {
+/// A coarser lattice whose values were printed with few digits: the text shows k q, each value
+/// rounded to a digit of its own. q is the slope of the line through values over multiples,
+/// which are counted from gap to gap; all values lie nearer to it than a digit.
+/// @param digits spacing of the digits with which each value was written.
+std::optional<double> printed_lattice(const std::vector<double>& values,
+                                      const std::vector<double>& digits) {
   // A fact: where steps are not much wider than what rounding moves their ends by, values fit
   // to some lattice by chance.
   constexpr double kFewestDigits = 4.0;
   constexpr double kRounded = 0.75;  // digits that rounding moves a value, and the line's error
+  constexpr double kOfLine = 1.0 / 3.0;  // of the widest digit: the error of the line alone
+  const double digit = *std::max_element(digits.begin(), digits.end());
   double least = values.back() - values.front();
   for (std::size_t i = 1; i < values.size(); ++i)
     least = std::min(least, values[i] - values[i - 1]);
@@ -81,9 +88,31 @@ std::optional<double> printed_lattice(const std::vector<double>& values, double 
   const double mean = (sum_v - spacing * sum_k) / static_cast<double>(values.size());
   for (std::size_t i = 0; i < values.size(); ++i)
     if (std::abs(values[i] - values.front() - mean - spacing * multiples[i]) >
-        kRounded * digit)
+        kRounded * std::max(digits[i], kOfLine * digit))
       return std::nullopt;
   return spacing;
+}
+
+/// Spacing of the digits of each value where all were written with so many significant ones at
+/// most; nothing where they have more than such files do.
+std::vector<double> significant_digits(const std::vector<double>& values) {
+  constexpr int kFewest = 4, kMost = 9;
+  const auto digit_of = [](double value, int count) {
+    return value == 0.0 ? 0.0
+                        : std::pow(10.0, std::floor(std::log10(std::abs(value))) + 1 - count);
+  };
+  for (int count = kFewest; count <= kMost; ++count) {
+    const auto is_written = [&](double value) {
+      std::array<char, 32> text{};
+      std::snprintf(text.data(), text.size(), "%.*g", count, value);
+      return std::strtod(text.data(), nullptr) == value;
+    };
+    if (!std::all_of(values.begin(), values.end(), is_written)) continue;
+    std::vector<double> digits;
+    for (const double value : values) digits.push_back(digit_of(value, count));
+    return digits;
+  }
+  return {};
 }
 
 }  // namespace
@@ -98,9 +127,12 @@ std::optional<double> lattice_of(const Dataset& data, Index state) {
   for (std::size_t i = 0; i < gaps.size(); ++i) gaps[i] = values[i + 1] - values[i];
   const double smallest = (values.back() - values.front()) / kMostLevels;
   const std::optional<double> spacing = common_spacing(std::move(gaps), smallest);
-  if (!spacing) return std::nullopt;
-  const std::optional<double> steps = printed_lattice(values, *spacing);
-  return steps ? steps : spacing;
+  if (spacing)
+    if (const auto steps = printed_lattice(values, std::vector(values.size(), *spacing)))
+      return steps;
+  if (const std::vector<double> digits = significant_digits(values); !digits.empty())
+    if (const auto steps = printed_lattice(values, digits)) return steps;
+  return spacing;
 }
 
 }  // namespace lacuna

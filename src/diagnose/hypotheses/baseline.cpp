@@ -16,6 +16,7 @@
 #include "trajectories/smoother/outlier_check.hpp"
 #include "trajectories/smoother/spectral_lines.hpp"
 #include "trajectories/smoother/unseen_changes.hpp"
+#include "trajectories/smoother/value_periods.hpp"
 
 namespace lacuna {
 namespace {
@@ -39,6 +40,16 @@ std::vector<Assimilation> other_starts(const Baseline& base) {
   return {base.given, std::move(exact)};
 }
 
+/// Where the residual of a velocity comes again with the place.
+std::vector<Ripple> ripples_of(const Scope& scope, const Assimilation& fit) {
+  std::vector<Ripple> ripples;
+  for (Index k = 0; k < scope.model.dimension(); ++k)
+    if (const auto position = scope.integral_of(k))
+      if (const auto found = best_period(fit, k, *position))
+        ripples.push_back({k, *position, found->longest});
+  return ripples;
+}
+
 /// The scope of effects: channels that are measured as formulas say nothing that the states do
 /// not, and no effect is a function of them.
 Scope scope_of(const OdeModel& nominal, const BoundRecords& records, const Assimilation& fit) {
@@ -49,6 +60,7 @@ Scope scope_of(const OdeModel& nominal, const BoundRecords& records, const Assim
   const Vector noise = white_noise(noise_of(records));
   const auto with_modulations = [&](Scope scope) {
     scope.modulations = modulation_lines(fit, kSpectralLines);
+    scope.ripples = ripples_of(scope, fit);
     return scope;
   };
   if (states == nominal.dimension())

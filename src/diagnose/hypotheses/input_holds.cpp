@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <utility>
 
 #include "core/base/parallel.hpp"
@@ -227,38 +226,36 @@ std::vector<OdeModel> better_holds(const Problem& problem, const CompositeModel&
 
 }  // namespace
 
-RivalHolds rival_holds(const Problem& problem, const std::vector<OpenInput>& open,
+RivalHolds rival_holds(const Problem& problem, const OpenInput& open,
                        const CompositeModel& best) {
   RivalHolds rivals;
   const std::vector<FittedEffect>& effects = best.explanation.effects;
   const DecisionOptions& decision = problem.options.decision;
-  if (open.empty() || effects.empty()) return rivals;
+  if (effects.empty()) return rivals;
   const bool complete = needs_no_disturbance(problem, best);
   if (complete) rivals.most_parameters = best.explanation.parameters();
   const double explained = best.base->fitted.deviance - best.explanation.fit.deviance;
-  for (const auto& [input, second, lead] : open) {
-    const std::string& name = problem.nominal.inputs()[static_cast<std::size_t>(input)].name;
-    const bool of_input = std::any_of(
-        effects.begin(), effects.end(),
-        [&](const FittedEffect& effect) { return effect.candidate.depends_on(name); });
-    const bool doubtful =
-        complete || effects.size() > 1 || leaves_structure(best, decision) || of_input;
-    std::vector<OdeModel> better =
-        better_holds(problem, best, input, doubtful ? -decision.undecided : decision.undecided);
-    const auto hold = problem.nominal.inputs()[static_cast<std::size_t>(input)].hold;
-    // What the hold explains of a model that lacks an effect settles nothing where the effect
-    // explains more, unless nothing is left to explain and nothing stands for the hold. Half a
-    // step of delay that no repeated sample shows settles nothing beside an effect of the
-    // input.
-    const bool unshown =
-        hold == Hold::Zero && of_input && !repeats_samples(problem.records.data, input);
-    if (better.empty() && (unshown || (lead < explained && (!complete || of_input))))
-      better.push_back(with_hold(problem.nominal, input, second));
-    if (!better.empty() && hold == shown_hold(problem.records.data, input) &&
-        is_recorded_late(problem, best, input))
-      continue;  // its samples are at other times, which half a step of a hold does not mend
-    std::move(better.begin(), better.end(), std::back_inserter(rivals.models));
-  }
+  const auto& [input, second, lead] = open;
+  const Quantity& quantity = problem.nominal.inputs()[static_cast<std::size_t>(input)];
+  const bool of_input =
+      std::any_of(effects.begin(), effects.end(), [&](const FittedEffect& effect) {
+        return effect.candidate.depends_on(quantity.name);
+      });
+  const bool doubtful =
+      complete || effects.size() > 1 || leaves_structure(best, decision) || of_input;
+  rivals.models =
+      better_holds(problem, best, input, doubtful ? -decision.undecided : decision.undecided);
+  // What the hold explains of a model that lacks an effect settles nothing where the effect
+  // explains more, unless nothing is left to explain and nothing stands for the hold. Half a
+  // step of delay that no repeated sample shows settles nothing beside an effect.
+  const bool unshown =
+      quantity.hold == Hold::Zero && !repeats_samples(problem.records.data, input);
+  if (rivals.models.empty() && (unshown || (lead < explained && (!complete || of_input))))
+    rivals.models.push_back(with_hold(problem.nominal, input, second));
+  // Samples at other times are not mended by half a step of a hold.
+  if (!rivals.models.empty() && quantity.hold == shown_hold(problem.records.data, input) &&
+      is_recorded_late(problem, best, input))
+    rivals.models.clear();
   return rivals;
 }
 

@@ -55,11 +55,11 @@ struct RivalHolds {
 ///   that lacks so much is no judge of half a step. Not so where the model with the effects
 ///   follows the records from their first samples on and needs no disturbance, and none of them
 ///   is of that input: no other hold has anything left to explain;
-/// - the second one of an input that is taken for held though no sample repeats the one before,
-///   where an effect is of that input: the hold may stand for a part of its delay.
+/// - the second one of an input that is taken for held though no sample repeats the one before:
+///   the hold may stand for a part of an effect.
 /// None of an input with the hold that its samples show, where it is recorded late (InputSkew).
 /// @param problem its model has the chosen holds.
-RivalHolds rival_holds(const Problem& problem, const std::vector<OpenInput>& open,
+RivalHolds rival_holds(const Problem& problem, const OpenInput& open,
                        const CompositeModel& best);
 
 /// What is assumed of inputs that are not smooth, for people: "u is held from sample to

@@ -54,13 +54,13 @@ std::string rule_against(bool is_better, const std::optional<Index>& most_parame
          std::to_string(*most_parameters) + " parameters were sought";
 }
 
-/// Judges the model under other holds of its inputs than those of the best so far.
+/// Judges the model under other holds of one of the open inputs than that of the best so far.
 void judge_rival_holds(const Problem& problem, const Hypotheses& hypotheses,
-                       const std::vector<OpenInput>& open, JudgedModel& best,
-                       std::vector<Rival>& trail) {
-  const Problem first{*best.model, problem.records, problem.options, problem.context,
-                      problem.memory};
-  RivalHolds rivals = rival_holds(first, open, best.judged.best);
+                       const std::vector<OpenInput>& open, const OpenInput& input,
+                       JudgedModel& best, std::vector<Rival>& trail) {
+  const Problem present{*best.model, problem.records, problem.options, problem.context,
+                        problem.memory};
+  RivalHolds rivals = rival_holds(present, input, best.judged.best);
   Problem bounded = problem;
   bounded.most_parameters = rivals.most_parameters;
   for (OdeModel& model : rivals.models) {
@@ -92,7 +92,8 @@ JudgedModel judge_holds(const Problem& problem, const Hypotheses& hypotheses) {
   if (!chosen.open.empty()) {
     std::vector<StageDone> stages = best.judged.stages;
     run_part(problem, stages, kInputsStage, [&] {
-      judge_rival_holds(problem, hypotheses, chosen.open, best, trail);
+      for (const OpenInput& input : chosen.open)
+        judge_rival_holds(problem, hypotheses, chosen.open, input, best, trail);
     });
     best.judged.stages = std::move(stages);
   }

@@ -7,6 +7,7 @@
 
 #include "lacuna/effects/families.hpp"
 #include "lacuna/effects/patterns.hpp"
+#include "lacuna/effects/terms.hpp"
 
 namespace lacuna {
 namespace {
@@ -48,14 +49,26 @@ std::pair<Index, int> intricacy(const FittedEffect& effect) {
   return {effect.candidate.intricacy(), bind_form(effect.candidate, shapes).depth()};
 }
 
-/// What dry friction is known by, whatever is written for its jump.
+/// Numbers by which people know an effect and that are no shapes of its form.
 constexpr const char* kForce = "force";
+constexpr const char* kBefore = "before";
+constexpr const char* kAfter = "after";
 
-bool is_force(const NamedParameter& parameter) { return parameter.name == kForce; }
+bool is_derived(const NamedParameter& parameter) {
+  return parameter.name == kForce || parameter.name == kBefore || parameter.name == kAfter;
+}
 
-/// Whether dry friction is written as a slope with an end, c clip(v,-a,a): its force is c a.
-bool is_steep_slope(const FittedEffect& effect, const std::string& name) {
-  return name == kCoulombFriction.info.name && has_form(effect.candidate, "clip(x,-a,a)");
+/// The force of dry friction that is written as a slope with an end, c clip(v,-a,a): c a. What
+/// a coefficient is before and after it changes.
+std::vector<NamedParameter> derived_parameters(const FittedEffect& effect,
+                                               const std::string& name,
+                                               const OdeModel& fitted) {
+  const Candidate& candidate = effect.candidate;
+  if (name == kCoulombFriction.info.name && has_form(candidate, "clip(x,-a,a)"))
+    return {{kForce, "", std::abs(effect.coefficient) * effect.shapes[0], {}}};
+  if (name != kChange.info.name) return {};
+  const double before = slope(fitted, candidate.equation, candidate.argument);
+  return {{kBefore, "", before, {}}, {kAfter, "", before + effect.coefficient, {}}};
 }
 
 }  // namespace
@@ -121,7 +134,7 @@ std::vector<OtherForm> forms_elsewhere(const RankedEffect& ranked, const Ranking
 void update_numbers(const Explanation& explanation, std::vector<NamedEffect>& named) {
   for (std::size_t e = 0; e < named.size(); ++e) {
     const FittedEffect& fitted = explanation.effects[e];
-    std::erase_if(named[e].parameters, is_force);
+    std::erase_if(named[e].parameters, is_derived);
     named[e].term = term_of(fitted);
     named[e].coefficient = fitted.coefficient;
     named[e].deviation = fitted.deviation;
@@ -132,9 +145,9 @@ void update_numbers(const Explanation& explanation, std::vector<NamedEffect>& na
       parameter.value = fitted.shapes[i];
       parameter.deviation = known ? std::optional(fitted.shape_deviations[i]) : std::nullopt;
     }
-    if (is_steep_slope(fitted, named[e].name))
-      named[e].parameters.push_back(
-          {kForce, "", std::abs(fitted.coefficient) * fitted.shapes[0], {}});
+    for (NamedParameter& derived :
+         derived_parameters(fitted, named[e].name, explanation.fit.model))
+      named[e].parameters.push_back(std::move(derived));
   }
 }
 

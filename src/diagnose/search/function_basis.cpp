@@ -8,7 +8,7 @@
 #include "core/statistics/information.hpp"
 #include "diagnose/candidates/candidate_column.hpp"
 #include "forms/candidate/tone.hpp"
-#include "period_search.hpp"
+#include "trajectories/smoother/value_periods.hpp"
 
 namespace lacuna {
 namespace {

@@ -61,13 +61,31 @@ Index half_memory(const Vector& values) {
   return lag;
 }
 
+double variance_of(const Vector& values) {
+  return (values.array() - values.mean()).square().mean();
+}
+
+/// half_memory() of the whole or of a half that moves, whichever is shorter: a level that
+/// changes once is remembered for ever, what goes on about it is not.
+Index shortest_memory(const Vector& values) {
+  // A fact: a half that rests has the memory of noise.
+  constexpr double kMoves = 0.1;
+  const Index half = values.size() / 2;
+  Index shortest = half_memory(values);
+  for (const Vector& part : {Vector(values.head(half)), Vector(values.tail(half))})
+    if (half > 1 && variance_of(part) >= kMoves * variance_of(values))
+      shortest = std::min(shortest, half_memory(part));
+  return shortest;
+}
+
 void set_timescales(Scope& scope, const Dataset& data) {
   const Trajectory& record = longest_record(data);
   const Index states = data.state_count();
   for (Index i = 0; i < static_cast<Index>(scope.variables.size()); ++i) {
     const Vector values = i < states ? record.states.col(i) : record.inputs.col(i - states);
-    scope.variables[static_cast<std::size_t>(i)].timescale =
-        scope.step * static_cast<double>(half_memory(values));
+    VariableRange& range = scope.variables[static_cast<std::size_t>(i)];
+    range.timescale = scope.step * static_cast<double>(half_memory(values));
+    range.recurrence = scope.step * static_cast<double>(shortest_memory(values));
   }
 }
 

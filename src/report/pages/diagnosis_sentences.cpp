@@ -57,7 +57,8 @@ std::string hint_sentence(const Hint& hint) {
 /// nothing.
 std::string partly_explained(const Diagnosis& diagnosis) {
   if (diagnosis.remaining.equations.empty() && !diagnosis.reservations.empty())
-    return "Partly explained: what is named leaves no significant structure in the records that "
+    return "Partly explained: what is named leaves no significant structure in the records "
+           "that "
            "were used, but " +
            diagnosis.reservations.front() + ".";
   if (diagnosis.remaining.equations.empty() && !diagnosis.twins.empty()) {
@@ -65,7 +66,8 @@ std::string partly_explained(const Diagnosis& diagnosis) {
     for (const Twin& twin : diagnosis.twins) choices.push_back(twin.what);
     return "Explained but for the choice between " + join(choices, " and ") + ".";
   }
-  const std::string rest = "Partly explained: effects are named, but significant structure is left";
+  const std::string rest =
+      "Partly explained: effects are named, but significant structure is left";
   const auto& gap = diagnosis.gap;
   if (!gap || !(gap->after < gap->before) || !std::isfinite(gap->before)) return rest + ".";
   return rest + ": on other records the gap falls from " + percent(gap->before, "the motion") +
@@ -105,13 +107,27 @@ std::string headline(const Diagnosis& diagnosis) {
 
 using Sentences = std::vector<std::string>;
 
-/// ", a force of 0.8 rad/s^2" of friction that is written as a slope with an end.
-std::string force_of(const NamedEffect& effect, const std::string& unit) {
+/// The number of an effect that has such a name.
+const NamedParameter* find_parameter(const NamedEffect& effect, const std::string& name) {
   for (const NamedParameter& parameter : effect.parameters)
-    if (parameter.name == "force")
-      return ", a force of " + format_number(parameter.value, 3) +
-             (unit.empty() ? "" : " " + unit);
-  return "";
+    if (parameter.name == name) return &parameter;
+  return nullptr;
+}
+
+/// ", a force of 0.8 rad/s^2" of friction that is written as a slope with an end; ", 8 before
+/// and 5.4 from 11.16 +- 0.01 s on" of a coefficient that changes.
+std::string known_by(const NamedEffect& effect, const std::string& unit,
+                     const std::string& time_unit) {
+  if (const NamedParameter* force = find_parameter(effect, "force"))
+    return ", a force of " + format_number(force->value, 3) + (unit.empty() ? "" : " " + unit);
+  const NamedParameter* before = find_parameter(effect, "before");
+  const NamedParameter* after = find_parameter(effect, "after");
+  const NamedParameter* time = find_parameter(effect, "time");
+  if (!before || !after || !time) return "";
+  return ", " + format_number(before->value, 4) + " before and " +
+         format_number(after->value, 4) + " from " +
+         with_error(time->value, kNormalQuantile975 * time->deviation.value_or(0.0)) +
+         (time_unit.empty() ? "" : " " + time_unit) + " on";
 }
 
 void report_effect(const Diagnosis& diagnosis, const NamedEffect& effect, Sentences& out) {
@@ -124,8 +140,9 @@ void report_effect(const Diagnosis& diagnosis, const NamedEffect& effect, Senten
                 effect.name + "), " +
                 with_error(effect.coefficient, kNormalQuantile975 * effect.deviation) +
                 (unit.empty() ? "" : " " + unit) + " * " +
-                readable_formula(effect.term, effect.parameters) + force_of(effect, unit) +
-                ", explains " + fraction_of(effect.gap_closed) + " of the disagreement (" +
+                readable_formula(effect.term, effect.parameters) +
+                known_by(effect, unit, diagnosis.nominal.time_unit()) + ", explains " +
+                fraction_of(effect.gap_closed) + " of the disagreement (" +
                 format_number(effect.sigma, 3) + " sigma).");
   for (const Alternative& other : effect.alternatives)
     if (other.probability >= 0.01 && other.term != effect.term)
@@ -160,8 +177,8 @@ std::string combined_sentence(const Diagnosis& diagnosis, const CombinedChange& 
   return "Equation " + state_name(diagnosis, change.equation) + ": the coefficient of " +
          change.first + (change.weight < 0.0 ? " less " : " plus ") +
          format_number(std::abs(change.weight), 4) + " times that of " + change.second +
-         " is " + with_error(change.estimated, kNormalQuantile975 * change.deviation) + ", not " +
-         format_number(change.nominal, 6) + " (" + format_number(change.sigma, 3) +
+         " is " + with_error(change.estimated, kNormalQuantile975 * change.deviation) +
+         ", not " + format_number(change.nominal, 6) + " (" + format_number(change.sigma, 3) +
          " sigma); how much each is off is not determined.";
 }
 

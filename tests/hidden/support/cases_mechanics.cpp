@@ -24,6 +24,12 @@ std::vector<HiddenCase> friction_cases(double s) {
                  -8.0},
                 "(1+1.5*exp(-(w/1.5)^2))*tanh(w/0.05)")
           .build(),
+      CaseBuilder("stage-cogging", "Stage with a force that repeats along the way", stage(), s)
+          .hide({"v", {"periodic-function"}, {}, "sin(9*x)", 2.0})
+          .build(),
+      CaseBuilder("turntable-cogging", "Turntable whose motor has twelve poles", turntable(), s)
+          .hide({"w", {"periodic-function"}, {}, "sin(12*th+0.4)", 5.0})
+          .build(),
       CaseBuilder("buoy-drag", "Moored buoy with drag of the square of the speed", oscillator(),
                   s)
           .hide({"v", {"quadratic-drag"}, {}, "v*abs(v)", -0.35})

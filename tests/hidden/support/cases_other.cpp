@@ -53,14 +53,6 @@ std::vector<HiddenCase> null_cases() {
 
 std::vector<HiddenCase> inexpressible_cases(double s) {
   return {
-      CaseBuilder("stage-cogging", "Stage with a force that repeats along the way", stage(), s)
-          .hide({"v", {}, {}, "sin(9*x)", 2.0})
-          .inexpressible()
-          .build(),
-      CaseBuilder("turntable-cogging", "Turntable whose motor has twelve poles", turntable(), s)
-          .hide({"w", {}, {}, "sin(12*th+0.4)", 5.0})
-          .inexpressible()
-          .build(),
       CaseBuilder("oscillator-switching", "Spring that a random clutch switches", oscillator(),
                   s)
           .hidden_input("c", {.shape = SignalSpec::Shape::Steps, .low = 0.2, .high = 1.0})

@@ -194,6 +194,18 @@ TEST(SaturatingRate, IsOfAmountsAndOfTermsWithThem) {
   EXPECT_EQ(forms_of<kSaturatingRate>(oscillator_scope(), 1), Forms{});
 }
 
+TEST(RateInhibition, IsMoreInTheDenominator) {
+  const Scope scope = scope_of(
+      model_of_lines({{"S", {{"S/(2+S)", -0.5}}}, {"P", {{"S/(2+S)", 0.5}}}}, {}), 3.0);
+  EXPECT_EQ(forms_of<kRateInhibition>(scope, 0),
+            (Forms{"S/(2+S+strength*P)-S/(2+S)", "S/(2+S+strength*(S*S))-S/(2+S)"}));
+  const Candidate product =
+      candidate_of<kRateInhibition>(scope, 0, "S/(2+S+strength*P)-S/(2+S)");
+  EXPECT_EQ(reading_of<kRateInhibition>(scope, product, -0.5)->sentence,
+            "rate S/(2+S) that P inhibits");
+  EXPECT_FALSE(plausible_with<kRateInhibition>(scope, product, 0.5)) << "it undoes nothing";
+}
+
 TEST(ExponentialConduction, TakesAwayFromItsOwnState) {
   const Scope scope = oscillator_scope();
   const Candidate diode = candidate_of<kExponentialConduction>(scope, 1, "exp(v/scale)-1");

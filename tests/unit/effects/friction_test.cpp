@@ -75,6 +75,22 @@ TEST(Friction, OpposesTheMotion) {
   EXPECT_FALSE(plausible_with<kQuadraticDrag>(scope, drag, 0.4));
 }
 
+// A joint: dw/dt = 4 u - 9 sin(q) - 0.5 w.
+Scope joint_scope() {
+  return scope_of(model_of_lines(
+      {{"q", {{"w", 1.0}}}, {"w", {{"u", 4.0}, {"sin(q)", -9.0}, {"w", -0.5}}}}, {"u"}));
+}
+
+TEST(LoadFriction, IsOfWhatDrivesWhatWeighsAndWhatTheGearCarries) {
+  const Forms forms = forms_of<kLoadFriction>(joint_scope(), 1);
+  for (const char* form : {"abs(4*u)*sign(w)", "abs(-9*sin(q))*sign(w)",
+                           "abs(-9*sin(q)-4*u)*sign(w)", "abs(-9*sin(q)*ratio-4*u)*sign(w)",
+                           "abs(-9*sin(q)-4*u)*exp(-abs(w/speed)^exponent)*sign(w)",
+                           "(abs(-9*sin(q)-4*u)+base)*exp(-abs(w/speed)^exponent)*sign(w)"})
+    EXPECT_TRUE(forms.contains(form)) << form;
+  EXPECT_EQ(forms.size(), 9u);
+}
+
 TEST(StribeckFriction, OpposesTheMotion) {
   const Candidate candidate = candidate_of<kStribeckFriction>(
       oscillator_scope(), 1, "(1+rise*exp(-(v/speed)^2))*sign(v)");

@@ -123,7 +123,7 @@ TEST(PeriodicForcing, StartsAtTheLinesOfItsEquation) {
 TEST(ParameterDrift, IsNotToldFromWhatMovesInLessThanTwoPeriods) {
   Scope scope = oscillator_scope();
   EXPECT_TRUE(determines_time(scope));
-  for (VariableRange& variable : scope.variables) variable.timescale = scope.duration / 11.0;
+  for (VariableRange& variable : scope.variables) variable.recurrence = scope.duration / 11.0;
   EXPECT_FALSE(determines_time(scope));
   EXPECT_EQ(forms_of<kParameterDrift>(scope, 1), Forms{});
   EXPECT_EQ(forms_of<kTimeTrend>(scope, 1), Forms{});
@@ -131,6 +131,52 @@ TEST(ParameterDrift, IsNotToldFromWhatMovesInLessThanTwoPeriods) {
 
 TEST(ParameterDrift, IsOfEveryTermThatVaries) {
   EXPECT_EQ(forms_of<kParameterDrift>(oscillator_scope(), 1), (Forms{"t*q", "t*v", "t*F"}));
+}
+
+TEST(ParameterDrift, IsToldWhereALevelChangesOnce) {
+  Dataset data = support::oscillator_record();
+  Trajectory& record = data.trajectories.front();
+  record.states.bottomRows(400).array() += 8.0;
+  const Scope scope = make_scope(support::oscillator(), data, Vector::Constant(2, 0.01));
+  EXPECT_GT(scope.state(0).timescale, 1.0) << "the level is remembered";
+  EXPECT_LT(scope.state(0).recurrence, 0.5) << "what goes on about it is not";
+  EXPECT_TRUE(determines_time(scope));
+}
+
+TEST(Change, IsOfEveryTermAndOfAConstantWithinAStep) {
+  const Scope scope = oscillator_scope();
+  EXPECT_EQ(forms_of<kChange>(scope, 1),
+            (Forms{"q*clip(100*(t-time)+0.5,0,1)", "v*clip(100*(t-time)+0.5,0,1)",
+                   "F*clip(100*(t-time)+0.5,0,1)", "1*clip(100*(t-time)+0.5,0,1)"}));
+  Candidate change = candidate_of<kChange>(scope, 1, "F*clip(100*(t-time)+0.5,0,1)");
+  change.equation = 1;
+  EXPECT_EQ(reading_of<kChange>(scope, change, 0.3)->sentence,
+            "another coefficient of F from an instant on");
+  const Candidate drift = candidate_of<kParameterDrift>(scope, 1, "t*F");
+  EXPECT_FALSE(reading_of<kChange>(scope, drift, 0.3, Vector(0)).has_value());
+}
+
+TEST(InputLag, IsAPoleBeforeACurve) {
+  const Scope scope = scope_of(
+      model_of_lines({{"w", {{"w", -1.0}, {"u^2", 20.0}, {"u*w", 0.5}}}}, {"u"}));
+  EXPECT_EQ(forms_of<kInputLag>(scope, 0), (Forms{"lagged^2-u^2", "w*lagged-w*u"}));
+  const Candidate slow = candidate_of<kInputLag>(scope, 0, "lagged^2-u^2");
+  ASSERT_EQ(slow.memory.size(), 1u);
+  EXPECT_EQ(slow.memory[0].rate, parse_expression("(u-lagged)/tau"));
+  EXPECT_EQ(reading_of<kInputLag>(scope, slow, 20.0)->sentence, "lag of u before u^2");
+  EXPECT_FALSE(plausible_with<kInputLag>(scope, slow, -20.0)) << "it undoes nothing";
+}
+
+TEST(PeriodicFunction, StartsAtTheRippleOfItsEquation) {
+  Scope scope = oscillator_scope();
+  scope.ripples = {{1, 0, 0.25}};
+  const auto made = candidates_of<kPeriodicFunction>(scope, 1);
+  ASSERT_EQ(made.size(), 1u);
+  EXPECT_EQ(made[0].form, parse_expression("sin(2*pi*q/period+phase)"));
+  EXPECT_EQ(made[0].starts[0][0], 0.25);
+  EXPECT_NEAR(made[0].shapes[0].low, 2.0 / 9.0, 1e-3) << "nine waves in the range of 2 m";
+  EXPECT_NEAR(made[0].shapes[0].high, 2.0 / 7.0, 1e-3);
+  EXPECT_TRUE(candidates_of<kPeriodicFunction>(scope, 0).empty());
 }
 
 TEST(TimeTrend, IsTimeItself) {

@@ -28,6 +28,14 @@ struct ModulationLine {
   Expression term;
 };
 
+/// A period in the value of a position in which the residual of the equation of its velocity comes
+/// again: teeth, poles, a grating along the way.
+struct Ripple {
+  Index equation = 0;
+  Index position = 0;   ///< number of the state
+  double period = 0.0;  ///< unit of the position
+};
+
 /// How one variable (or a formula of variables) is spread over the records.
 struct VariableRange {
   std::string name;
@@ -41,6 +49,8 @@ struct VariableRange {
   /// How long it remembers: the first lag at which its autocorrelation is below 1/2, in the
   /// longest record; at least one step. 0 where it is not known (range_of()).
   double timescale = 0.0;
+  /// The same in the half of that record in which it is shortest, where it moves there.
+  double recurrence = 0.0;
 
   /// Largest absolute value.
   double magnitude() const { return std::max(std::abs(low), std::abs(high)); }
@@ -66,6 +76,7 @@ struct Scope {
   double duration = 0.0;                 ///< of the longest record
   std::vector<SpectralLine> lines;       ///< strongest first; starts for periodic effects
   std::vector<ModulationLine> modulations = {};  ///< strongest first; starts for coefficients
+  std::vector<Ripple> ripples = {};              ///< at most one for each velocity
   /// rows x (m+p+1+d): some samples of the variables and t in slot order, then of the delayed
   /// variables that the model has, as delayed_slots() has them.
   Matrix samples = {};

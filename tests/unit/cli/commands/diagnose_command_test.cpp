@@ -12,6 +12,7 @@ namespace {
 
 using testing::expect_failure;
 using ::testing::HasSubstr;
+using ::testing::Not;
 using testing::run_command;
 
 /// A folder with the nominal driven oscillator in "nominal.json" and two records of it with
@@ -205,6 +206,18 @@ TEST(DiagnoseCommand, TellsAColumnThatTheModelLacks) {
   ASSERT_EQ(answer["hints"].size(), 1u);
   EXPECT_EQ(answer["hints"][0]["kind"], "unused-column");
   EXPECT_THAT(answer["hints"][0]["message"].get<std::string>(), HasSubstr("column F"));
+}
+
+TEST(DiagnoseCommand, ExplainsWhichAssignmentsDecidedNothing) {
+  const HiddenRecords records(friction);
+  std::vector<std::string> words = kTwoEffects;
+  words.insert(words.end(), {"--explain", "--set", "decision.dense_input=0.25", "--set",
+                             "decision.max_effects=0"});
+  const auto result = records.diagnose(words);
+  EXPECT_THAT(result.out,
+              HasSubstr("\nOptions that decided nothing\n  --set decision.dense_input=0.25: "
+                        "without it the answer is the same\n"));
+  EXPECT_THAT(result.out, Not(HasSubstr("max_effects=0: without")));
 }
 
 TEST(DiagnoseCommand, BadOptionsAreNamed) {

@@ -392,11 +392,15 @@ TEST(IdentifyCommand, ExplainsWhichOptionsDecidedNothing) {
   const std::vector<std::string> words{"identify", record.data(), "--discrete", "--explain"};
   EXPECT_THAT(run_command(words).out, Not(HasSubstr("Options that decided nothing")));
   std::vector<std::string> more = words;
-  more.insert(more.end(), {"--integrator", "dopri5", "--set", "validation.resolution=1e-4"});
+  more.insert(more.end(), {"--integrator", "dopri5", "--set", "validation.resolution=1e-4",
+                           "--set", "basis.max_degree=2"});
   const auto result = run_command(more);
   EXPECT_EQ(result.status, 0) << result.err;
   EXPECT_THAT(result.out, HasSubstr("\nOptions that decided nothing\n  --integrator: the stage "
                                     "`synchronisation` was not reached\n"));
+  EXPECT_THAT(result.out, HasSubstr("\n  --set validation.resolution=1e-4: without it the "
+                                    "answer is the same\n"));
+  EXPECT_THAT(result.out, Not(HasSubstr("max_degree=2: without")));
   EXPECT_THAT(result.out, Not(HasSubstr("validation: ")));
 }
 

@@ -3,7 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
+#include <cstdio>
+#include <cstdlib>
 
 namespace lacuna {
 namespace {
@@ -31,6 +34,20 @@ TEST(Lattice, OfAConverterIsFoundBehindTheDigitsOfTheText) {
 TEST(Lattice, OfDigitsAloneIsTheDigit) {
   EXPECT_NEAR(*lattice_of(stepped(0.01, 0.01), 0), 0.01, 1e-9);
   EXPECT_NEAR(*lattice_of(stepped(0.25, 1e-4), 0), 0.25, 1e-9);
+}
+
+TEST(Lattice, IsFoundBehindFewSignificantDigits) {
+  // An encoder of 4096 steps a turn, printed with five digits.
+  Dataset data = stepped(2.0 * std::acos(-1.0) / 4096.0, 1e-12, 1.3);
+  for (Trajectory& record : data.trajectories) {
+    record.states.array() -= 21.0;
+    for (double& value : record.states.reshaped()) {
+      std::array<char, 32> text{};
+      std::snprintf(text.data(), text.size(), "%.5g", value);
+      value = std::strtod(text.data(), nullptr);
+    }
+  }
+  EXPECT_NEAR(*lattice_of(data, 0), 2.0 * std::acos(-1.0) / 4096.0, 1e-6);
 }
 
 TEST(Lattice, IsNoneOfFewLevels) {

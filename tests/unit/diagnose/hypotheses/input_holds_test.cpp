@@ -141,7 +141,7 @@ class HoldsBesideFriction : public ::testing::Test {
 TEST_F(HoldsBesideFriction, AreJudgedAnew) {
   const auto rivals_under = [&](Hold hold) {
     const CompositeModel composite = composite_under(hold);
-    return rival_holds(asked_.problem(), {{0, Hold::Linear, 1e9}}, composite).models;
+    return rival_holds(asked_.problem(), {0, Hold::Linear, 1e9}, composite).models;
   };
   const auto rivals = rivals_under(Hold::Smooth);
   ASSERT_FALSE(rivals.empty()) << "the held force fits better";
@@ -155,7 +155,7 @@ TEST_F(HoldsBesideFriction, AreSettledByMoreThanTheEffectsExplain) {
   const double explained = composite.base->fitted.deviance - composite.explanation.fit.deviance;
   ASSERT_GT(explained, 100.0);
   const auto rivals_with = [&](double lead) {
-    return rival_holds(asked_.problem(), {{0, Hold::Linear, lead}}, composite).models;
+    return rival_holds(asked_.problem(), {0, Hold::Linear, lead}, composite).models;
   };
   ASSERT_EQ(rivals_with(0.99 * explained).size(), 1u);
   EXPECT_EQ(rivals_with(0.99 * explained).front().inputs()[0].hold, Hold::Linear);
@@ -165,7 +165,7 @@ TEST_F(HoldsBesideFriction, AreSettledByMoreThanTheEffectsExplain) {
 TEST_F(HoldsBesideFriction, AreSettledWhereNothingDisturbsTheModel) {
   const CompositeModel composite = composite_under(Hold::Zero);
   const RivalHolds rivals =
-      rival_holds(asked_.problem(), {{0, Hold::Linear, 0.0}}, composite);
+      rival_holds(asked_.problem(), {0, Hold::Linear, 0.0}, composite);
   EXPECT_TRUE(rivals.models.empty());
   EXPECT_EQ(rivals.most_parameters, 1) << "as many as the effect has";
 }

@@ -9,7 +9,7 @@
 #include <numbers>
 
 #include "diagnose/candidates/candidate_column.hpp"
-#include "diagnose/search/period_search.hpp"
+#include "trajectories/smoother/value_periods.hpp"
 #include "lacuna/trajectories/sensitivities/linearised_record.hpp"
 #include "support/asked.hpp"
 #include "support/assimilated_oscillator.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "period_search.hpp"
+#include "value_periods.hpp"
 
 #include <cmath>
 #include <complex>
