@@ -9,6 +9,7 @@
 #                   committed counts
 set -euo pipefail
 cd "$(dirname "$0")/.."
+. scripts/core_seconds.sh
 none_skipped=false since=
 while [ $# -gt 0 ]; do
   case $1 in
@@ -25,9 +26,10 @@ fi
 
 # step NAME COMMAND...: says how long it took.
 step() {
-  local begin=$SECONDS
+  local begin=$SECONDS spent
+  spent=$(core_seconds)
   "${@:2}"
-  echo "check: $preset: $1 in $((SECONDS - begin)) s"
+  echo "check: $preset: $1 in $((SECONDS - begin)) s, $(($(core_seconds) - spent)) s of a core"
 }
 
 # Folders with sources or unit tests that were changed: "model/equations" of src/model/equations/term.cpp,

@@ -38,10 +38,13 @@ awk '/^```python$/ { inside = 1; next } /^```$/ { inside = 0 } inside' README.md
 cat > "$root/run.sh" <<'RUN'
 set -euxo pipefail
 cd "$1"
+. scripts/core_seconds.sh
 scripts/setup.sh python
 python3 -m venv /fresh
 . /fresh/bin/activate
+begin=$SECONDS spent=$(core_seconds)
 pip install -q .
+{ echo "try_python: installed in $((SECONDS - begin)) s, $(($(core_seconds) - spent)) s of a core"; } 2> /dev/null
 python /readme.py
 [ -s out.html ]
 python -c 'import lacuna; print(lacuna.build_info())'

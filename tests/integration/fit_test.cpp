@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "integration/program.hpp"
@@ -79,6 +80,57 @@ TEST_F(FitProgram, SaysThatAHiddenStateIsNotDetermined) {
   EXPECT_EQ(result.status, 0) << result.err;
   EXPECT_THAT(unfolded(result.out),
               HasSubstr("the state z cannot be determined from what is measured"));
+}
+
+/// Numbers of the terms of a model, by "STATE: TERM", with their intervals.
+std::map<std::string, nlohmann::json> numbers_in(const nlohmann::json& model) {
+  std::map<std::string, nlohmann::json> numbers;
+  for (const auto& equation : model["equations"])
+    for (const auto& term : equation["terms"])
+      numbers[equation["state"].get<std::string>() + ": " + term["term"].get<std::string>()] = {
+          {"value", term["coefficient"]}, {"ci95", term["ci95"]}};
+  return numbers;
+}
+
+double half_width(const nlohmann::json& number) {
+  return (number["ci95"][1].get<double>() - number["ci95"][0].get<double>()) / 2.0;
+}
+
+TEST(IdentifiedModel, HasTheSameNumbersWhenItIsFitted) {
+  // Convection along 24 units of time, over which no free run follows it.
+  const TemporaryFolder folder;
+  const std::string truth = folder.write(
+      "truth.ode", "dx/dt = -9.2*x + 9.2*y\ndy/dt = 27*x - y - x*z\ndz/dt = x*y - 2.4*z\n");
+  const std::string data = folder.file("run.csv"), model = folder.file("found.json");
+  ASSERT_EQ(run_program("simulate " + truth +
+                        " --x0 1,2,20 --t-end 24 --dt 0.02 --noise x=0.2,y=0.2,z=0.2 --seed 5 "
+                        "-o " +
+                        data)
+                .status,
+            0);
+  const CommandResult identified =
+      run_program("identify " + data + " --model-out " + model + " --json -");
+  ASSERT_EQ(identified.status, 0) << identified.err;
+  const CommandResult fitted = run_program("fit " + model + " " + data + " --json -");
+  ASSERT_EQ(fitted.status, 0) << fitted.err;
+  const auto found = numbers_in(nlohmann::json::parse(identified.out)["model"]);
+  const std::map<std::string, double> true_numbers = {
+      {"x: x", -9.2},   {"x: y", 9.2},   {"y: x", 27.0}, {"y: y", -1.0},
+      {"y: x*z", -1.0}, {"z: x*y", 1.0}, {"z: z", -2.4}};
+  const auto answer = nlohmann::json::parse(fitted.out);
+  ASSERT_EQ(answer["parameters"].size(), true_numbers.size());
+  for (const auto& one : answer["parameters"]) {
+    const std::string name = one["name"];
+    ASSERT_TRUE(found.contains(name)) << name;
+    ASSERT_FALSE(one["ci95"].is_null()) << name;
+    const double value = one["value"];
+    EXPECT_LT(std::abs(value - found.at(name)["value"].get<double>()),
+              std::hypot(half_width(one), half_width(found.at(name))))
+        << name;
+    EXPECT_LT(std::abs(value - true_numbers.at(name)), 4.0 * one["stderr"].get<double>())
+        << name;
+    EXPECT_LT(half_width(one), 0.02 * std::abs(value)) << name;
+  }
 }
 
 }  // namespace

@@ -24,7 +24,7 @@ def columns_of(path):
     return dict(zip(names, table.T))
 
 
-def rows_of(recording, file):
+def rows_of(file):
     path, first, last = file if isinstance(file, tuple) else (file, 0, None)
     columns = columns_of(path)
     time = next(iter(columns.values()))
@@ -40,19 +40,18 @@ def called_in_file(recording, name):
 
 def record_of(recording, file):
     """Pieces without a gap."""
-    columns, time = rows_of(recording, file)
+    columns, time = rows_of(file)
     time = time if recording.step is None else np.arange(len(time)) * recording.step
     step = float(np.median(np.diff(time)))
     ends = [*(np.flatnonzero(np.diff(time) > 3 * step) + 1), len(time)]
     pieces, begin = [], 0
-    names = [name if isinstance(name, str) else name[0] for name in recording.channels]
     for end in ends:
         size = recording.pieces or end - begin
         for first in range(begin, end - size + 1, size):
             rows = slice(first, first + size)
             parts = [
                 {name: columns[called_in_file(recording, name)][rows] for name in chosen}
-                for chosen in (names, recording.holds)
+                for chosen in (recording.channels, recording.holds)
             ]
             pieces.append(Piece(step, *parts, begin=float(time[first])))
         begin = end
@@ -97,9 +96,8 @@ def box_of(answer, recording):
         equations[equation["state"]] = "+".join(terms) or "0.0"
     for name, value in values.items():
         numbers.setdefault(name, value)
-    names = [name if isinstance(name, str) else name[0] for name in recording.channels]
-    outputs = {name: name for name in names}
-    starts = {f"{name}_d1": name for name in names}
+    outputs = {name: name for name in recording.channels}
+    starts = {f"{name}_d1": name for name in recording.channels}
     holds = {entry["name"]: entry.get("hold") for entry in answer.get("inputs", ())}
     holds = {name: hold or recording.holds[name] for name, hold in holds.items()}
     return Model(equations, numbers, outputs, holds, late, starts, recording.box.parts)
@@ -109,7 +107,7 @@ def written(recording, folder, name, file):
     """The path of a record; a part of one is written to a file of its own."""
     if not isinstance(file, tuple):
         return str(file)
-    columns, _ = rows_of(recording, file)
+    columns, _ = rows_of(file)
     lines = [",".join(columns)]
     lines += [",".join(f"{value:.9g}" for value in row) for row in zip(*columns.values())]
     (folder / name).write_text("\n".join(lines) + "\n")

@@ -22,7 +22,7 @@ OWN = pathlib.Path(__file__).resolve().parents[3] / "data"
 class Recording:
     name: str
     files: tuple  # of the fit and held out, each a path or (path, first row, last row)
-    channels: tuple  # names in the command; (name, column) where the file calls it something else
+    channels: tuple  # names in the command
     holds: dict  # input -> how it runs between samples, as an expert knows it
     options: str  # of the command
     box: Model
@@ -321,7 +321,7 @@ RECORDINGS = [
     Recording(
         "pendulum_scope",
         (OWN / "pendulum_scope_1.csv.gz", OWN / "pendulum_scope_2.csv.gz"),
-        (("th", "CH1"), ("w", "CH2")),
+        ("th", "w"),
         {"u": "linear"},
         "--map th=CH1,w=CH2,u=CH3 --states th,w --inputs u",
         plain({"th": "w", "w": PENDULUM}, SWINGING, **TURNED),

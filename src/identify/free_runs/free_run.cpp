@@ -48,7 +48,8 @@ double residual_over_noise(const Fit& run) {
 FreeRun free_run(const SystemModel& system, const Dataset& data, const KnownNoise& noise,
                  const RunContext& context) {
   constexpr Index kSamples = 4000;  // a bound of the work
-  const Dataset records = thinned(data, kSamples);
+  constexpr Index kPieces = 4;      // a long record may begin at rest, or with one motion
+  const Dataset records = thinned(data, kSamples, kPieces);
   try {
     const Fit run = fit(system, records, {},
                         {.restarts = 0,

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "identify/hidden_state/sparse_coordinates.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <numeric>
 #include <optional>
+
+#include "core/numerics/eigenvalues.hpp"
 
 namespace lacuna {
 namespace {
@@ -90,7 +91,7 @@ std::vector<double> real_roots(std::vector<double> c) {
     if (k > 0) companion(k, k - 1) = 1.0;
   }
   std::vector<double> roots;
-  for (const auto& value : companion.eigenvalues())
+  for (const auto& value : eigenvalues(companion))
     if (std::abs(value.imag()) <= 1e-6 * std::abs(value)) roots.push_back(value.real());
   return roots;
 }

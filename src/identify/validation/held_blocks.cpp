@@ -101,11 +101,13 @@ std::vector<Block> limited(const std::vector<Block>& blocks, Index samples) {
   return chosen;
 }
 
-Dataset thinned(const Dataset& data, Index samples) {
+Dataset thinned(const Dataset& data, Index samples, Index pieces) {
   if (data.samples() <= samples) return data;
   Dataset some = data;
   some.trajectories.clear();
-  for (const Block& block : limited(all_blocks(data), samples))
+  std::vector<Block> blocks = all_blocks(data);
+  if (pieces > 1) blocks = pieces_of(blocks, std::max<Index>(samples / pieces, 1));
+  for (const Block& block : limited(blocks, samples))
     some.trajectories.push_back(
         rows_of(data.trajectories[block.record], block.first, block.count));
   return some;

@@ -35,7 +35,9 @@ std::vector<Block> limited(const std::vector<Block>& blocks, Index samples);
 /// @param blocks in the order of records and time.
 Dataset without_blocks(const Dataset& data, const std::vector<Block>& blocks, Index shortest);
 
-/// No more than so many samples of records, in stretches as limited() takes them.
-Dataset thinned(const Dataset& data, Index samples);
+/// No more than so many samples of records, in stretches as limited() takes them, long records
+/// cut into pieces first.
+/// @param pieces of so many samples as are taken; 1: records as they are.
+Dataset thinned(const Dataset& data, Index samples, Index pieces = 1);
 
 }  // namespace lacuna

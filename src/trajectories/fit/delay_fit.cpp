@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "fit_solver.hpp"
 #include "lacuna/core/base/error.hpp"
 #include "lacuna/core/statistics/interval.hpp"
 
@@ -33,7 +34,18 @@ struct Tried {
   double value = 0.0;
   double deviance = INFINITY;  ///< -2 log likelihood
   std::vector<FittedParameter> numbers = {};
+  Vector log_likelihood = {};  ///< of each value, records one behind the other
 };
+
+/// The log-likelihood of each value of the records, in the order of time in each.
+Vector likelihood_in_time(const Fit& fit) {
+  std::vector<double> all;
+  for (const FitRun& run : fit.runs)
+    for (Index n = 0; n < run.log_likelihood.rows(); ++n)
+      for (const double one : run.log_likelihood.row(n))
+        if (std::isfinite(one)) all.push_back(one);
+  return Eigen::Map<const Vector>(all.data(), static_cast<Index>(all.size()));
+}
 
 /// What is known of a delay before any record is seen, as -2 log of its density.
 double prior_deviance(const Parameter& given, double value) {
@@ -79,6 +91,7 @@ class DelayProfile {
       const Fit fit = fit_known_(held, options_);
       tried.deviance = -2.0 * fit.log_likelihood + prior_deviance(given_, value);
       tried.numbers = fit.numbers;
+      tried.log_likelihood = likelihood_in_time(fit);
       if (tried.deviance < best_.deviance) {
         best_ = tried;
         system_ = with_estimates(fit.model, value);
@@ -111,7 +124,8 @@ class DelayProfile {
 
 /// A delay at its best, and what the others do about it.
 struct KnownDelay {
-  double error = INFINITY;          ///< standard error
+  double error = INFINITY;          ///< standard error by the likelihood of independent values
+  double memory = 1.0;              ///< what its variance grows by where they are not
   std::vector<double> slopes = {};  ///< d number / d delay of the other numbers
 };
 
@@ -127,6 +141,17 @@ void search_range(DelayProfile& profile, const DelayRange& range, double given) 
       [&](double value) { return profile.at(value).deviance; }, low, high, kBits);
 }
 
+/// The scatter of the sums of scores over blocks of neighbouring values, times a variance that
+/// takes the values as independent: what that grows by. A prior has no scatter.
+double scatter_of(const Vector& scores, double variance) {
+  const Index blocks = std::min(kGradientBlocks, scores.size());
+  if (blocks < 2) return 1.0;
+  Vector sums = Vector::Zero(blocks);
+  for (Index i = 0; i < scores.size(); ++i) sums[i * blocks / scores.size()] += scores[i];
+  return variance * sums.squaredNorm() * static_cast<double>(blocks) /
+         static_cast<double>(blocks - 1);
+}
+
 /// By the parabola through two points at which the deviance is about one higher.
 KnownDelay known_at(DelayProfile& profile, const DelayRange& range) {
   constexpr int kTurns = 3;
@@ -140,6 +165,9 @@ KnownDelay known_at(DelayProfile& profile, const DelayRange& range) {
     const double bend = less.deviance + more.deviance - 2.0 * profile.best().deviance;
     if (!(bend > 0.0) || !std::isfinite(bend)) return known;
     known.error = away * std::sqrt(2.0 / bend);
+    if (more.log_likelihood.size() == less.log_likelihood.size())
+      known.memory = scatter_of((more.log_likelihood - less.log_likelihood) / (2.0 * away),
+                                known.error * known.error);
     known.slopes.clear();
     for (std::size_t i = 0; i < best.numbers.size(); ++i)
       known.slopes.push_back((more.numbers[i].value - less.numbers[i].value) / (2.0 * away));
@@ -150,17 +178,33 @@ KnownDelay known_at(DelayProfile& profile, const DelayRange& range) {
 }
 
 /// A number whose interval holds what a delay adds.
-void widen(double added, FittedParameter& number) {
+void widen(double added, double quantile, FittedParameter& number) {
   if (number.standard_error) number.standard_error = std::hypot(*number.standard_error, added);
   if (!number.ci95) return;
-  const double more = kNormalQuantile975 * added;
+  const double more = quantile * added;
   auto& [low, high] = *number.ci95;
   low = number.value - std::hypot(number.value - low, more);
   high = number.value + std::hypot(high - number.value, more);
 }
 
+/// The standard error of a delay beside a fit of the other numbers, as those have theirs: the
+/// variance of the noise with the degrees of freedom of the fit, and by the gradients of blocks
+/// where residuals are not white.
+double error_of(const KnownDelay& known, const Fit& fit, double freedom) {
+  double values = 0.0, variance = known.error * known.error;
+  bool white = true, is_estimated = true;
+  for (const FitQuality& channel : fit.quality) {
+    values += static_cast<double>(channel.samples + channel.censored);
+    white = white && channel.white;
+    is_estimated = is_estimated && channel.sizes > 0;
+  }
+  if (is_estimated) variance *= values / freedom;
+  if (!white) variance *= known.memory;
+  return std::sqrt(variance);
+}
+
 FittedParameter fitted_delay(const Parameter& given, double value, const DelayRange& range,
-                             double error) {
+                             double error, double freedom) {
   FittedParameter number{
       .name = given.name, .unit = given.unit, .start = given.value, .value = value};
   const double near = 1e-3 * (range.high - range.low);
@@ -168,7 +212,7 @@ FittedParameter fitted_delay(const Parameter& given, double value, const DelayRa
   if (given.max && range.high - value < near) number.bound = "max";
   if (!std::isfinite(error)) return number;
   number.standard_error = error;
-  number.ci95 = interval95(value, error);
+  number.ci95 = interval95(value, error, student_quantile_975(freedom));
   (*number.ci95)[0] = std::max((*number.ci95)[0], range.low);
   return number;
 }
@@ -223,14 +267,19 @@ Fit fit_with_delays(const SystemModel& system, const FitOptions& options,
     if (!moved) break;
   }
   Fit result = fit_known(with_delays_held(best), options);
+  result.degrees_of_freedom =
+      std::max(1.0, result.degrees_of_freedom - static_cast<double>(delays.size()));
+  const double freedom = result.degrees_of_freedom;
+  for (KnownDelay& one : known) one.error = error_of(one, result, freedom);
   std::vector<Parameter> parameters = result.model.parameters();
-  for (std::size_t d = 0; d < delays.size(); ++d)
-    for (std::size_t i = 0; i < known[d].slopes.size(); ++i)
-      widen(std::abs(known[d].slopes[i]) * known[d].error, result.numbers[i]);
+  for (const KnownDelay& one : known)
+    for (std::size_t i = 0; i < one.slopes.size(); ++i)
+      widen(std::abs(one.slopes[i]) * one.error, student_quantile_975(freedom),
+            result.numbers[i]);
   for (std::size_t d = 0; d < delays.size(); ++d) {
     const Parameter& given = system.parameters()[delays[d]];
     FittedParameter number = fitted_delay(given, best.parameters()[delays[d]].value,
-                                          range_of(given), known[d].error);
+                                          range_of(given), known[d].error, freedom);
     parameters[delays[d]].free = true;
     parameters[delays[d]].deviation.reset();
     parameters[delays[d]].factor.reset();

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <utility>
 
 #include "core/base/text.hpp"
@@ -129,17 +130,24 @@ std::vector<StageDone> stages_of(const FitOptions& options, const FitSearch& sea
 }
 
 /// The fit of numbers that records share, or have for themselves alone.
-FitEstimate estimate(const SystemModel& system, FitEngine& engine,
-                          const FitUnknowns& unknowns, const FitPoint& start,
-                          const FitOptions& options, const RunContext& context, Fit& result) {
-  const FitSearch search = search_fit(engine, unknowns, start,
-                                      {.restarts = options.restarts,
-                                       .spread = options.spread,
-                                       .only_given = options.effort == Thoroughness::Quick,
-                                       .rough = options.rough,
-                                       .range_starts = range_starts(engine, options),
-                                       .always_ranges = options.starts.has_value()},
-                                      context);
+/// @param in_windows see FitSearchOptions.
+FitEstimate estimate(const SystemModel& system, FitEngine& engine, const FitUnknowns& unknowns,
+                     const FitPoint& start, const FitOptions& options,
+                     std::function<std::optional<FitInWindows>()> in_windows,
+                     const RunContext& context, Fit& result) {
+  FitSearch search = search_fit(engine, unknowns, start,
+                                {.restarts = options.restarts,
+                                 .spread = options.spread,
+                                 .only_given = options.effort == Thoroughness::Quick,
+                                 .rough = options.rough,
+                                 .range_starts = range_starts(engine, options),
+                                 .always_ranges = options.starts.has_value(),
+                                 .in_windows = std::move(in_windows)},
+                                context);
+  if (search.windows) {
+    FitPoint point = search.windows->point;
+    return {{}, unknowns, std::move(point), {}, std::move(search.windows)};
+  }
   if (!std::isfinite(search.best.path.cost)) throw_no_run();
   context.unhurried().report("errors of the numbers", 0.9);
   result.degrees_of_freedom = degrees_of_freedom(engine, unknowns);
@@ -189,11 +197,34 @@ void check_bands(const SystemModel& system, const FitOptions& options) {
                      "leave out the bands");
 }
 
+/// What is said of records that were cut into windows.
+std::string note_on_windows(std::size_t records, std::size_t windows) {
+  return "errors of free runs grow too much along so long " +
+         std::string(records == 1 ? "a record" : "records") + ": " + std::to_string(windows) +
+         " pieces were fitted, each from initial states of its own, which is as far as the "
+         "model can be carried on";
+}
+
+/// What is said of an answer that has all else.
+void add_notes(const SystemModel& system, const FitData& all, const FitRecords& seen,
+               const FitOptions& options, Fit& result) {
+  std::vector<std::string> notes = notes_of(result);
+  result.notes.insert(result.notes.begin(), notes.begin(), notes.end());
+  if (!all.held_out.trajectories.empty() && !result.gap)
+    result.notes.push_back(no_gap(options));
+  if (const std::string note = start_note(system, all.data); !note.empty())
+    result.notes.push_back(note);
+  const std::vector<std::string> jumps = notes_on_jumps(all.data);
+  for (const auto* more : {&jumps, &all.data.notes, &all.held_out.notes, &seen.notes})
+    result.notes.insert(result.notes.end(), more->begin(), more->end());
+}
+
 /// A fit of a model whose delays are known.
-Fit fit_known(const SystemModel& system, const Dataset& records,
-              const Dataset& held_out_records, const FitOptions& options,
-              const RunContext& context) {
-  const auto [data, held_out] = usable(system, records, held_out_records, options);
+/// @param values P: where the search begins. @param may_be_cut whether the records may be
+/// fitted in windows where no free run meets them.
+Fit fit_from(const SystemModel& system, const FitData& all, const Vector& values,
+             bool may_be_cut, const FitOptions& options, const RunContext& context) {
+  const Dataset &data = all.data, &held_out = all.held_out;
   const ParametrisedModel model = system.parametrised();
   FitRecords seen = fit_records(model, data, options.noise);
   add_deviations(data, options.deviations, seen);
@@ -201,13 +232,25 @@ Fit fit_known(const SystemModel& system, const Dataset& records,
   const FitUnknowns unknowns = fit_unknowns(model, local_parameters(system, model));
   check_enough(engine, unknowns);
   check_bands(system, options);
-  const FitPoint start{model.values().transpose().replicate(engine.records.records(), 1),
+  const FitPoint start{values.transpose().replicate(engine.records.records(), 1),
                        engine.records.starts};
   context.unhurried().report("fitting", 0.0);
   Fit result{.model = system};
-  const auto& method = varies(system) ? estimate_population : estimate;
+  std::function<std::optional<FitInWindows>()> in_windows;
+  if (may_be_cut && !options.rough)
+    in_windows = [&] { return fitted_in_windows(engine, unknowns, data, context); };
   const FitEstimate found =
-      method(system, engine, unknowns, start, options, context, result);
+      varies(system)
+          ? estimate_population(system, engine, unknowns, start, options, context, result)
+          : estimate(system, engine, unknowns, start, options, in_windows, context, result);
+  if (found.windows) {
+    const std::vector<Index>& begins = found.windows->begins;
+    const Vector reached = found.typical.parameters.row(0).transpose();
+    Fit cut =
+        fit_from(system, {cut_at(data, begins), held_out}, reached, false, options, context);
+    cut.notes.push_back(note_on_windows(data.trajectories.size(), begins.size()));
+    return cut;
+  }
   describe(engine, found, options, context, result);
   if (result.population) complete_population(result);
   if (options.bands)
@@ -216,16 +259,16 @@ Fit fit_known(const SystemModel& system, const Dataset& records,
   if (!held_out.trajectories.empty())
     result.gap = gap_of(model, found.typical, held_out, usual_states(found.minimum.path),
                         options, found.unknowns, context);
-  std::vector<std::string> notes = notes_of(result);
-  result.notes.insert(result.notes.begin(), notes.begin(), notes.end());
-  if (!held_out.trajectories.empty() && !result.gap) result.notes.push_back(no_gap(options));
-  if (const std::string note = start_note(system, data); !note.empty())
-    result.notes.push_back(note);
-  const std::vector<std::string>& left_out = engine.records.notes;
-  const std::vector<std::string> jumps = notes_on_jumps(data);
-  for (const auto* more : {&jumps, &data.notes, &held_out.notes, &left_out})
-    result.notes.insert(result.notes.end(), more->begin(), more->end());
+  add_notes(system, all, engine.records, options, result);
   return result;
+}
+
+/// The same from the numbers that the model has.
+Fit fit_known(const SystemModel& system, const Dataset& records,
+              const Dataset& held_out_records, const FitOptions& options,
+              const RunContext& context) {
+  return fit_from(system, usable(system, records, held_out_records, options),
+                  system.parametrised().values(), true, options, context);
 }
 
 }  // namespace

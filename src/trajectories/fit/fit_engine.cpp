@@ -100,8 +100,9 @@ void take_implicit_steps(FitEngine& engine) {
 }
 
 FitEngine fit_engine(const ParametrisedModel& model, FitRecords records) {
-  Rates rates(model);
-  Channels channels(model, formulas_of(records));
+  Rates rates(model, Outside::AsAtTheEdge);
+  const std::vector<Expression> formulas = formulas_of(records);
+  Channels channels(model, formulas, Outside::AsAtTheEdge);
   StageSignals signals = stage_signals(records.series, rates, {&runge_kutta_4(), 1});
   Vector sigma(channels.count());
   for (Index c = 0; c < sigma.size(); ++c) {
@@ -113,6 +114,7 @@ FitEngine fit_engine(const ParametrisedModel& model, FitRecords records) {
                    std::move(records),
                    std::move(rates),
                    std::move(channels),
+                   FitDomain(model, formulas),
                    std::move(signals),
                    std::move(sigma)};
   for (Index c = 0; c < engine.count(); ++c) {
@@ -168,6 +170,7 @@ void follow_record(FitEngine& engine, const FitPoint& point, const Gains& gains,
   const Index end = engine.records.end(record);
   for (Index n = engine.records.first(record); n < end; ++n) {
     arrive(engine, n, x, path);
+    if (gains.size() == 0) end_outside(engine, n, x, scratch, path);
     path.states.row(n) = x.transpose();
     compare(engine, n, x, scratch, path.residuals);
     correct(gains, n, path.residuals, x);
@@ -319,10 +322,13 @@ bool is_stiff(FitEngine& engine, const FitPoint& point, const FitPath& path) {
 }  // namespace
 
 void choose_method(FitEngine& engine, const FitPoint& point) {
-  if (engine.implicit || !is_stiff(engine, point, follow(engine, point, {}))) return;
+  if (engine.implicit) return;
+  const FitPath before = follow(engine, point, {});
+  if (!is_stiff(engine, point, before)) return;
   take_implicit_steps(engine);
   const FitPath path = follow(engine, point, {});
-  if (!std::isfinite(path.cost) || !is_stiff(engine, point, path)) engine.implicit.reset();
+  if (!std::isfinite(path.cost) || !(before.left_domain || is_stiff(engine, point, path)))
+    engine.implicit.reset();
 }
 
 bool leave_implicit_steps(FitEngine& engine, const FitPoint& point) {

@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "fit_domain.hpp"
 #include "fit_records.hpp"
 #include "lacuna/core/base/function_ref.hpp"
 #include "records/channels/channel_noise.hpp"
@@ -26,8 +27,9 @@ struct ImplicitSteps {
 struct FitEngine {
   ParametrisedModel model;
   FitRecords records;
-  Rates rates;
+  Rates rates;  ///< beyond an edge of their domain as they are there
   Channels channels;
+  FitDomain domain;
   StageSignals signals;
   Vector sigma;                                ///< c: deviation by which residuals are divided
   std::optional<ImplicitSteps> implicit = {};  ///< in the place of equal explicit steps
@@ -69,6 +71,9 @@ struct FitPath {
   /// Sum of (residual / sigma)^2, or -2 log-likelihood of a law less a constant; infinite where
   /// a path diverges.
   double cost = 0.0;
+  /// Whether a free run came to where the model is not defined: it has no numbers from there
+  /// on.
+  bool left_domain = false;
 };
 
 /// How much of each residual is added to each state behind a sample: N x (m c), column
@@ -89,8 +94,9 @@ void follow_record(FitEngine& engine, const FitPoint& point, const Gains& gains,
 void take_implicit_steps(FitEngine& engine);
 
 /// Takes implicit steps where the model is stiff: along its path with them explicit ones are
-/// unstable, as many as there may be in a sampling interval. Where events are set off by guards
-/// steps are implicit anyway.
+/// unstable, as many as there may be in a sampling interval. And where explicit ones leave the
+/// domain of the model: implicit ones come to its edge within their error. Where events are set
+/// off by guards steps are implicit anyway.
 void choose_method(FitEngine& engine, const FitPoint& point);
 
 /// Takes explicit steps again where the model is not stiff along its path with them (parameters

@@ -166,11 +166,12 @@ double first_slope(const Trajectory& run, const Vector& values, double usual) {
 }
 
 /// First guess of the initial states: what is known, or measured, or the slope of what is
-/// measured; else 0.
+/// measured; else 0. What is not known exactly begins where the model is defined.
 void guess_starts(const ParametrisedModel& model, const Dataset& view, FitRecords& records) {
   const OdeModel& symbolic = model.symbolic();
   const Index m = symbolic.dimension();
   records.starts = Matrix::Zero(records.records(), m);
+  records.inside = state_ranges(model);
   for (Index k = 0; k < m; ++k) {
     const auto& given = symbolic.initial()[static_cast<std::size_t>(k)];
     const bool measured = !is_hidden(view, k) && view.is_measured(k);
@@ -188,6 +189,9 @@ void guess_starts(const ParametrisedModel& model, const Dataset& view, FitRecord
         records.starts(r, k) = states(0, k);
       else if (is_rate)
         records.starts(r, k) = first_slope(run, states.col(integral), records.scale[k]);
+      if (!(given && given->fixed))
+        records.starts(r, k) = std::min(std::max(records.starts(r, k), records.inside.lower[k]),
+                                        records.inside.upper[k]);
     }
   }
 }

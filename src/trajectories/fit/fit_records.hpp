@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "fit_domain.hpp"
 #include "lacuna/data/records/dataset.hpp"
 #include "lacuna/data/records/noise.hpp"
 #include "lacuna/model/equations/parametrised_model.hpp"
@@ -34,6 +35,7 @@ struct FitRecords {
   std::vector<std::string> notes = {};  ///< values that were left out
   std::vector<bool> guessed;         ///< m: whether the records show nothing of that guess
   std::vector<bool> fixed;           ///< m: whether it is known exactly; empty: none is
+  StateRanges inside = {};           ///< of the initial states; empty: anywhere
   Vector scale;                      ///< m: spread of a state where it is known, else 0
   std::vector<std::vector<std::size_t>> events = {};  ///< N: timed ones of each sample, or empty
   double time_scale = 1.0;           ///< spread of the channels over that of their rates

@@ -323,13 +323,32 @@ FitSearch from_given_start(FitEngine& engine, const FitUnknowns& unknowns,
   }
 }
 
+/// From numbers fitted in windows, where the fit from the given start leaves more than noise.
+void try_windows(FitEngine& engine, const FitUnknowns& unknowns, const FitPoint& start,
+                 const FitSearchOptions& options, const RunContext& context,
+                 FitSearch& search) {
+  if (!options.in_windows || is_good(engine, unknowns, start, search.best, options)) return;
+  std::optional<FitInWindows> found = options.in_windows();
+  if (!found) return;
+  keep_better(engine, unknowns, start,
+              minimise(engine, unknowns, found->point, {}, options.most_iterations, context),
+              options, context, search);
+  if (is_good(engine, unknowns, start, search.best, options))
+    search.departs = false;
+  else if (found->meets_records &&
+           static_cast<Index>(found->begins.size()) > start.starts.rows())
+    search.windows = std::move(found);
+}
+
 /// From the given start, then from others.
 FitSearch from_several_starts(FitEngine& engine, const FitUnknowns& unknowns,
                               const FitPoint& start, const FitSearchOptions& options,
                               const RunContext& context) {
   FitSearch search = from_given_start(engine, unknowns, start, options, context);
-  if (!search.in_time || options.only_given || search.departs) return search;
+  if (!search.in_time) return search;
   try {
+    try_windows(engine, unknowns, start, options, context, search);
+    if (search.windows || options.only_given || search.departs) return search;
     try_other_starts(engine, unknowns, start, options, context, search);
   } catch (const OutOfTime&) {
     search.in_time = false;
@@ -352,6 +371,7 @@ FitMinimum settled(FitEngine& engine, const FitUnknowns& unknowns, FitMinimum fo
 FitSearch settled_search(FitEngine& engine, const FitUnknowns& unknowns, const FitPoint& start,
                          const FitSearchOptions& options, const RunContext& context) {
   FitSearch search = from_several_starts(engine, unknowns, start, options, context);
+  if (search.windows) return search;
   search.met_noise = is_good(engine, unknowns, start, search.best, options);
   if (std::isfinite(search.best.path.cost)) take_sizes(engine, unknowns, search.best.path);
   if (!search.best.in_time) return search;
@@ -374,14 +394,15 @@ FitSearch settled_search(FitEngine& engine, const FitUnknowns& unknowns, const F
 
 }  // namespace
 
-FitSearch search_fit(FitEngine& engine, const FitUnknowns& unknowns, const FitPoint& start,
+FitSearch search_fit(FitEngine& engine, const FitUnknowns& unknowns, const FitPoint& given,
                      const FitSearchOptions& options, const RunContext& context) {
-  choose_method(engine, start);
+  choose_method(engine, given);
+  const FitPoint start = off_edges(engine, given);
   if (options.rough) return from_several_starts(engine, unknowns, start, options, context);
   const Vector sigma = engine.sigma;
   const auto laws = engine.laws;
   FitSearch search = settled_search(engine, unknowns, start, options, context);
-  if (!search.in_time || !search.met_noise) return search;
+  if (search.windows || !search.in_time || !search.met_noise) return search;
   if (is_good(engine, unknowns, start, search.best, options)) return search;
   // What met the noise was the model with steps that are too long: again with those that are not.
   engine.sigma = sigma;

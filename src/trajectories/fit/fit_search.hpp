@@ -2,8 +2,12 @@
 // The way from first guesses to the best fit.
 #pragma once
 
+#include <functional>
+#include <optional>
+
 #include "fit_solver.hpp"
 #include "lacuna/trajectories/fit/fit.hpp"
+#include "starts/fit_windows.hpp"
 
 namespace lacuna {
 
@@ -18,6 +22,9 @@ struct FitSearch {
   /// is chaotic over so long a record, and other starts come to no more.
   bool departs = false;
   bool met_noise = false;  ///< whether it came to the noise by the steps of the search
+  /// Where the model meets the records in windows and no free run does: the windows. Nothing
+  /// else is of use then.
+  std::optional<FitInWindows> windows = {};
 };
 
 /// Minima whose deviances differ by less for each value are taken for one: 1 % of the sum of
@@ -36,6 +43,8 @@ struct FitSearchOptions {
   bool rough = false;
   int range_starts = 0;         ///< at most so many anywhere in the ranges
   bool always_ranges = false;   ///< whether these are tried wherever the first fit ends
+  /// A fit in windows of the records, for where the first one leaves more than noise.
+  std::function<std::optional<FitInWindows>()> in_windows = {};
 };
 
 /// Finds the least sum of squares of a free run.
@@ -46,9 +55,10 @@ struct FitSearchOptions {
 /// Gains are held while parameters are fitted, and the disturbance is taken away step by step
 /// (continuation in the gain of an observer: Ljung, System Identification (1999), Sect. 7.2;
 /// Abarbanel et al., SIAM J. Appl. Dyn. Syst. 8:1341, 2009). The free run from the guess itself
-/// is tried too, first where the model is stiff; where residuals stay above the noise, seeded other
-/// starts. Past a deadline the best run so far is the answer, its minimum not `in_time` where the
-/// fit from the given start was cut.
+/// is tried too, first where the model is stiff; where residuals stay above the noise, numbers
+/// from windows of the records, and where these meet the records and no free run does, windows
+/// are what is found; then seeded other starts. Past a deadline the best run so far is the
+/// answer, its minimum not `in_time` where the fit from the given start was cut.
 FitSearch search_fit(FitEngine& engine, const FitUnknowns& unknowns, const FitPoint& start,
                      const FitSearchOptions& options, const RunContext& context);
 

@@ -13,8 +13,6 @@ namespace lacuna {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-/// Blocks of neighbouring samples whose gradients show the correlation of the residuals.
-constexpr Index kBlocks = 40;
 
 void add_row(RowFold& fold, Index column, double entry, double target) {
   double* row = fold.next_row();
@@ -107,11 +105,14 @@ class RecordBlocks final : public BlockProblem {
   FitLinear linear_;
 };
 
-/// Values per unknown in the order [initial states, local, global]; states have no range.
-Vector in_order(const FitUnknowns& unknowns, const Vector& range, Index states, double none) {
-  Vector all(states + range.size());
-  all.head(states).setConstant(none);
-  Index column = states;
+/// Ends per unknown in the order [initial states, local, global].
+/// @param states those of the states, or nothing where they have none.
+Vector in_order(const FitUnknowns& unknowns, const Vector& states, const Vector& range,
+                double none) {
+  Index column = static_cast<Index>(unknowns.initial.size());
+  Vector all(column + range.size());
+  all.head(column).setConstant(none);
+  all.head(states.size()) = states;
   for (const auto* part : {&unknowns.local, &unknowns.global})
     for (const Index p : *part) all[column++] = range[p];
   return all.head(column);
@@ -191,7 +192,7 @@ FitLinear linearise(FitEngine& engine, const FitUnknowns& unknowns, const FitPoi
   all.add_triangle(linear.prior);
   linear.reduced = *all.finish();
   if (!with_gradients || g == 0) return linear;
-  linear.gradients = Matrix::Zero(g, kBlocks);
+  linear.gradients = Matrix::Zero(g, kGradientBlocks);
   for (Index r = 0; r < engine.records.records(); ++r) {
     const Matrix& triangle = linear.records[static_cast<std::size_t>(r)];
     Matrix elimination(locals, g);
@@ -200,8 +201,9 @@ FitLinear linearise(FitEngine& engine, const FitUnknowns& unknowns, const FitPoi
                                             triangle.col(locals + j).head(locals));
     sensitivities(engine, point, path, gains, r,
                   [&](Index n, const Matrix& rows, const Vector& residual) {
-                    add_gradients(rows(Eigen::all, order), residual, elimination,
-                                  linear.gradients.col(n * kBlocks / engine.records.samples()));
+                    add_gradients(
+                        rows(Eigen::all, order), residual, elimination,
+                        linear.gradients.col(n * kGradientBlocks / engine.records.samples()));
                   });
   }
   return linear;
@@ -240,13 +242,14 @@ FitMinimum minimise_in_time(FitEngine& engine, const FitUnknowns& unknowns,
                             const RunContext& context) {
   constexpr double kSmall = 1e-5;
   FitMinimum best{start, {}};
+  const StateRanges& inside = engine.records.inside;
   RecordBlocks blocks(engine, unknowns, start, gains, context, best);
   try {
     const BlockMinimum found =
         minimise_blocks(blocks, blocks.blocks_of(start),
                         {degrees_of_freedom(engine, unknowns), kSmall, most_iterations,
-                         in_order(unknowns, unknowns.lower, engine.states(), -kInfinity),
-                         in_order(unknowns, unknowns.upper, engine.states(), kInfinity), true},
+                         in_order(unknowns, inside.lower, unknowns.lower, -kInfinity),
+                         in_order(unknowns, inside.upper, unknowns.upper, kInfinity), true},
                         context);
     best.converged = found.converged;
     best.iterations = found.iterations;

@@ -25,6 +25,9 @@ FitUnknowns fit_unknowns(const ParametrisedModel& model, std::vector<Index> loca
 /// Places of the columns [initial states, parameters] in the order [initial, local, global].
 std::vector<Index> column_order(const FitEngine& engine, const FitUnknowns& unknowns);
 
+/// Blocks of neighbouring samples whose gradients show the correlation of the residuals.
+constexpr Index kGradientBlocks = 40;
+
 /// The problem linearised at a point.
 struct FitLinear {
   /// R of [initial states, local, global parameters | residual] of each record.
@@ -61,8 +64,8 @@ double total_cost(const FitUnknowns& unknowns, const FitPoint& point, const FitP
 double degrees_of_freedom(const FitEngine& engine, const FitUnknowns& unknowns);
 
 /// Minimises the cost by the method of Levenberg and Marquardt, parameters kept in their ranges
-/// by an active set. A decrease below 1e-5 of the cost per degree of freedom (1 moves a
-/// parameter by one standard error) ends it.
+/// and initial states where the model is defined by an active set. A decrease below 1e-5 of the
+/// cost per degree of freedom (1 moves a parameter by one standard error) ends it.
 FitMinimum minimise(FitEngine& engine, const FitUnknowns& unknowns, const FitPoint& start,
                     const Gains& gains, int most_iterations, const RunContext& context);
 

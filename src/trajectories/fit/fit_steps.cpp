@@ -97,7 +97,18 @@ void arrive(FitEngine& engine, Index sample, Vector& x, FitPath& path) {
   jump(engine, sample, x, nullptr);
 }
 
+void end_outside(FitEngine& engine, Index sample, Vector& x, RunScratch& scratch,
+                 FitPath& path) {
+  if (engine.domain.is_everything()) return;
+  fill_slots(engine, sample * engine.signals.scheme.substeps, x.data(), scratch.slots);
+  if (engine.domain.holds(scratch.slots.data(), engine.implicit ? tolerance_of(engine) : 0.0))
+    return;
+  x.setConstant(std::numeric_limits<double>::quiet_NaN());
+  path.left_domain = true;
+}
+
 void begin_path(FitEngine& engine) {
+  engine.domain.begin();
   if (engine.implicit) engine.implicit->flow.begin(tolerance_of(engine));
 }
 

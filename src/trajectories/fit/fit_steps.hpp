@@ -33,6 +33,11 @@ void compare(FitEngine& engine, Index sample, const Vector& x, RunScratch& scrat
 /// Adds to a state what gains make of the residuals of a sample.
 void correct(const Gains& gains, Index sample, const Matrix& residuals, Vector& x);
 
+/// Ends a free run that has left the domain of the model: x is not a number then, and the path
+/// says why.
+void end_outside(FitEngine& engine, Index sample, Vector& x, RunScratch& scratch,
+                 FitPath& path);
+
 /// A path begins: what implicit steps know of another one must not decide on its steps.
 void begin_path(FitEngine& engine);
 

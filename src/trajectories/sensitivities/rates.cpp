@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "model/expressions/domain.hpp"
+
 namespace lacuna {
 namespace {
 
@@ -22,6 +24,14 @@ RateForm form_of(const ParametrisedModel& model) {
   for (const FreeCoefficient& c : model.coefficients())
     form[static_cast<std::size_t>(c.equation)][static_cast<std::size_t>(c.summand)].parameter =
         number++;
+  return form;
+}
+
+/// The form with its terms as they are outside of their domain.
+RateForm held(RateForm form, Outside outside, Expression (*in_domain)(const Expression&)) {
+  if (outside == Outside::NotANumber) return form;
+  for (auto& equation : form)
+    for (RateSummand& summand : equation) summand.term = in_domain(summand.term);
   return form;
 }
 
@@ -50,11 +60,12 @@ WeightedSums sums_of(const RateForm& form, ExpressionList& terms) {
 
 }  // namespace
 
-Rates::Rates(const ParametrisedModel& model)
+Rates::Rates(const ParametrisedModel& model, Outside outside)
     : variables_(model.symbolic().variables()),
       record_inputs_(model.record_inputs()),
       column_count_(model.size()),
-      form_(form_of(model)),
+      form_(held(form_of(model), outside, held_in_domain)),
+      sloped_(held(form_of(model), outside, held_off_edges)),
       terms_(terms_of(form_)),
       rate_sums_(sums_of(form_, terms_)),
       rate_(terms_.list(), variables_),
@@ -92,7 +103,7 @@ Rates::Derivatives Rates::compile() const {
   ExpressionList expressions = terms_;
   PlacedSums jacobian, columns;
   for (std::size_t j = 0; j < variables_.states.size(); ++j)
-    add_derivatives(form_, variables_.states[j], static_cast<Index>(j), expressions, jacobian);
+    add_derivatives(sloped_, variables_.states[j], static_cast<Index>(j), expressions, jacobian);
   Index column = 0;
   for (const TermColumn& c : coefficients_) {
     const RateSummand& summand =
@@ -102,7 +113,7 @@ Rates::Derivatives Rates::compile() const {
     columns.places.push_back({c.equation, column++});
   }
   for (const std::string& shape : shapes_)
-    add_derivatives(form_, shape, column++, expressions, columns);
+    add_derivatives(sloped_, shape, column++, expressions, columns);
   return {Program(expressions.list(), variables_), std::move(jacobian), std::move(columns), {}};
 }
 

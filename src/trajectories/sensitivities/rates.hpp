@@ -10,6 +10,12 @@
 
 namespace lacuna {
 
+/// What rates are where a function in them is not defined (model/expressions/domain.hpp).
+enum class Outside {
+  NotANumber,
+  AsAtTheEdge  ///< for integration to an edge, whoever takes them says where a run has left it
+};
+
 /// f(t, x, u; p) of a model with df/dx and the columns df/dp, for blocks of points.
 ///
 /// A point is a row of slots: m states, the inputs of the symbolic model (record inputs, then
@@ -17,7 +23,7 @@ namespace lacuna {
 /// are compiled by their first use. One object per thread.
 class Rates {
  public:
-  explicit Rates(const ParametrisedModel& model);
+  explicit Rates(const ParametrisedModel& model, Outside outside = Outside::NotANumber);
 
   /// A model without free parameters.
   explicit Rates(const OdeModel& model);
@@ -80,6 +86,7 @@ class Rates {
   std::vector<std::string> shapes_;
   Index record_inputs_ = 0, column_count_ = 0;
   RateForm form_;
+  RateForm sloped_;  // of which derivatives are taken
   ExpressionList terms_;
   WeightedSums rate_sums_;
   Program rate_;

@@ -1,14 +1,30 @@
 // SPDX-License-Identifier: MIT
 #include "channels.hpp"
 
+#include "model/expressions/domain.hpp"
+
 namespace lacuna {
-Channels::Channels(const ParametrisedModel& model, const std::vector<Expression>& formulas)
-    : values_(formulas, model.symbolic().variables()),
+namespace {
+
+/// The formulas as they are outside of their domain.
+std::vector<Expression> held(std::vector<Expression> formulas, Outside outside,
+                             Expression (*in_domain)(const Expression&)) {
+  if (outside == Outside::AsAtTheEdge)
+    for (Expression& formula : formulas) formula = in_domain(formula);
+  return formulas;
+}
+
+}  // namespace
+
+Channels::Channels(const ParametrisedModel& model, const std::vector<Expression>& formulas,
+                   Outside outside)
+    : values_(held(formulas, outside, held_in_domain), model.symbolic().variables()),
       derivatives_({}, model.symbolic().variables()) {
   std::vector<Expression> entries;
+  const std::vector<Expression> sloped = held(formulas, outside, held_off_edges);
   const auto add = [&](std::size_t channel, const std::string& name, Index column,
                        bool is_state) {
-    Expression entry = differentiate(formulas[channel], name);
+    Expression entry = differentiate(sloped[channel], name);
     if (is_number(entry, 0.0)) return;
     entries.push_back(std::move(entry));
     places_.push_back({static_cast<Index>(channel), column, is_state});

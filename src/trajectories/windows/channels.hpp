@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "lacuna/model/equations/parametrised_model.hpp"
+#include "trajectories/sensitivities/rates.hpp"
 
 namespace lacuna {
 
@@ -12,7 +13,8 @@ namespace lacuna {
 /// the symbolic model, t. One object per thread.
 class Channels {
  public:
-  Channels(const ParametrisedModel& model, const std::vector<Expression>& formulas);
+  Channels(const ParametrisedModel& model, const std::vector<Expression>& formulas,
+           Outside outside = Outside::NotANumber);
 
   Index count() const noexcept { return values_.outputs(); }
   Index slots() const noexcept { return values_.slots(); }

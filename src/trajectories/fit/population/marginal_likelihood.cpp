@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "marginal_likelihood.hpp"
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <limits>

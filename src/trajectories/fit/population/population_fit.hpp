@@ -4,6 +4,7 @@
 
 #include "lacuna/trajectories/fit/fit.hpp"
 #include "trajectories/fit/fit_errors.hpp"
+#include "trajectories/fit/starts/fit_windows.hpp"
 
 namespace lacuna {
 
@@ -13,6 +14,8 @@ struct FitEstimate {
   FitUnknowns unknowns;  ///< local: with those that vary
   FitPoint typical;      ///< with typical values of numbers that vary
   FitErrors errors = {};  ///< of numbers that do not vary over records
+  /// Where the model meets the records in windows alone: these. The rest is not made then.
+  std::optional<FitInWindows> windows = {};
 };
 
 /// Whether a parameter of a model varies over records.

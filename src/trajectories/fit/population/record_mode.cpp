@@ -2,10 +2,11 @@
 #include "record_mode.hpp"
 
 #include <Eigen/Cholesky>
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <limits>
+
+#include "core/numerics/least_squares.hpp"
 
 namespace lacuna {
 namespace {
@@ -93,7 +94,7 @@ Vector step_of(const RecordNormal& normal, const std::vector<Index>& places, dou
   Matrix matrix = normal.matrix(places, places);
   matrix.diagonal() *= 1.0 + damping;
   const Vector target = normal.gradient(places);
-  const Vector found = matrix.completeOrthogonalDecomposition().solve(target);
+  const Vector found = smallest_least_squares(matrix, target);
   step(places) = found;
   return step;
 }
@@ -189,7 +190,7 @@ RecordMode find_mode(FitEngine& engine, const PopulationProblem& problem,
   }
   const Index k = mode.own.size(), first = problem.first_deviation();
   const Matrix own = normal.matrix.topLeftCorner(k, k);
-  mode.covariance = own.completeOrthogonalDecomposition().pseudoInverse();
+  mode.covariance = smallest_least_squares(own, Matrix::Identity(k, k));
   const Eigen::LLT<Matrix> root(own.bottomRightCorner(k - first, k - first));
   mode.log_determinant =
       2.0 * Matrix(root.matrixL()).diagonal().array().log().sum();

@@ -24,6 +24,14 @@ double within(double lower, double upper, double fraction) {
                      : lower + (upper - lower) * fraction;
 }
 
+/// A state as far inside of an end of its range as it was outside.
+double mirrored_into(const StateRanges& inside, Index state, double value) {
+  if (inside.lower.size() == 0) return value;
+  if (value < inside.lower[state]) value = 2.0 * inside.lower[state] - value;
+  if (value > inside.upper[state]) value = 2.0 * inside.upper[state] - value;
+  return std::max(value, inside.lower[state]);
+}
+
 }  // namespace
 
 FitPoint other_start(FitEngine& engine, const FitUnknowns& unknowns, FitPoint point,
@@ -41,7 +49,8 @@ FitPoint other_start(FitEngine& engine, const FitUnknowns& unknowns, FitPoint po
   for (Index k = 0; k < engine.states(); ++k)
     if (guessed[static_cast<std::size_t>(k)])
       for (Index r = 0; r < point.starts.rows(); ++r)
-        point.starts(r, k) = scale[k] * random.normal();
+        point.starts(r, k) =
+            mirrored_into(engine.records.inside, k, scale[k] * random.normal());
   return point;
 }
 
@@ -50,10 +59,28 @@ std::optional<FitPoint> raised(FitEngine& engine, FitPoint point, double sign) {
   bool any = false;
   for (Index k = 0; k < engine.states(); ++k) {
     if (!engine.records.guessed[static_cast<std::size_t>(k)]) continue;
-    point.starts.col(k).array() += sign * scale[k];
-    any = true;
+    for (double& value : point.starts.col(k)) {
+      const double moved = value + sign * scale[k];
+      if (mirrored_into(engine.records.inside, k, moved) != moved) continue;
+      value = moved;
+      any = true;
+    }
   }
   return any ? std::optional(std::move(point)) : std::nullopt;
+}
+
+FitPoint off_edges(FitEngine& engine, FitPoint point) {
+  const StateRanges& inside = engine.records.inside;
+  std::vector<std::pair<double*, Index>> at_edges;  // values and their states
+  for (Index k = 0; k < inside.lower.size(); ++k)
+    for (double& value : point.starts.col(k))
+      if (engine.records.guessed[static_cast<std::size_t>(k)] &&
+          (value == inside.lower[k] || value == inside.upper[k]))
+        at_edges.emplace_back(&value, k);
+  if (at_edges.empty()) return point;
+  const Vector scale = disturbances_of(engine, follow(engine, point, {}), 1.0).scale;
+  for (const auto& [value, k] : at_edges) *value = mirrored_into(inside, k, *value + scale[k]);
+  return point;
 }
 
 bool is_wide(double lower, double upper, double spread) {

@@ -10,13 +10,18 @@
 
 namespace lacuna {
 
-/// Another start: parameters off by a random factor up to `spread`, hidden states anywhere.
+/// Another start: parameters off by a random factor up to `spread`, hidden states anywhere
+/// where the model is defined.
 FitPoint other_start(FitEngine& engine, const FitUnknowns& unknowns, FitPoint point,
                      double spread, Random& random);
 
 /// The start with hidden states one spread from it all at once: levels and concentrations are
 /// all positive. Nothing where no state is guessed.
 std::optional<FitPoint> raised(FitEngine& engine, FitPoint point, double sign);
+
+/// The start with hidden states that begin at the edge of where the model is defined one spread
+/// inside of it: at the edge of a root the residuals have no slope.
+FitPoint off_edges(FitEngine& engine, FitPoint point);
 
 /// Whether a range is positive and so wide that starts about another one do not come to its ends.
 bool is_wide(double lower, double upper, double spread);

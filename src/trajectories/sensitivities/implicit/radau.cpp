@@ -71,7 +71,7 @@ double RadauFlow::step(Rates& rates, DriveSlots drive, double t, double longest,
                        Matrix* sensitivity) {
   if (!(step_ > 0.0)) step_ = longest;
   linearise(rates, drive, t, x);
-  if (passed_.seen.size() == 0) guess_sizes(rates, drive, t, longest, x);
+  if (is_rising_from_nothing(x)) guess_sizes(rates, drive, t, longest, x);
   for (int count = 0; count < kMostSteps; ++count) {
     if (t + step_ == t || !x.allFinite() || allowed_-- <= 0) return 0.0;
     const bool last = 1.01 * step_ >= longest;
@@ -94,16 +94,29 @@ double RadauFlow::step(Rates& rates, DriveSlots drive, double t, double longest,
   return 0.0;
 }
 
-/// Sizes of the states before any step: their own, and for those that begin at 0 a thousandth of
-/// what one long step makes of them. Without, a state that rises by a higher power of the time
-/// than the method is exact for would have no step whose error is a small fraction of it.
+/// Whether sizes of states are to be guessed: before any step, and where one that has been 0 so
+/// far begins to move.
+bool RadauFlow::is_rising_from_nothing(const Vector& x) {
+  if (passed_.seen.size() == 0) {
+    passed_.seen = x.cwiseAbs();
+    return (x.array() == 0.0).any();
+  }
+  return (passed_.seen.array() == 0.0 && rate_.array() != 0.0).any();
+}
+
+/// Sizes of the states that have been 0 so far: a thousandth of what one long step makes of
+/// them, or their rates where there is none so long. Without, a state that rises by another
+/// power of the time than the method is exact for would have no step whose error is a small
+/// fraction of it.
 void RadauFlow::guess_sizes(Rates& rates, DriveSlots drive, double t, double h,
                             const Vector& x) {
-  passed_.seen = x.cwiseAbs();
-  if ((x.array() != 0.0).all() || !x.allFinite() || !solve_stages(rates, drive, t, h, x)) return;
-  for (Index i = 0; i < x.size(); ++i)
-    if (x[i] == 0.0 && std::isfinite(shift_(i, 2)))
-      passed_.seen[i] = kOfLargest * std::abs(shift_(i, 2));
+  if (!x.allFinite()) return;
+  const bool is_solved = solve_stages(rates, drive, t, h, x);
+  for (Index i = 0; i < x.size(); ++i) {
+    const double shift = is_solved ? shift_(i, 2) : h * rate_[i];
+    if (passed_.seen[i] == 0.0 && std::isfinite(shift))
+      passed_.seen[i] = kOfLargest * std::abs(shift);
+  }
 }
 
 /// Sets the rates and their slope at the begin of a step.

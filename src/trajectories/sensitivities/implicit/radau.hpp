@@ -60,6 +60,7 @@ class RadauFlow {
 
  private:
   void linearise(Rates& rates, DriveSlots drive, double t, const Vector& x);
+  bool is_rising_from_nothing(const Vector& x);
   void guess_sizes(Rates& rates, DriveSlots drive, double t, double h, const Vector& x);
   bool solve_stages(Rates& rates, DriveSlots drive, double t, double h, const Vector& x);
   double correct(Rates& rates, double h, const Vector& x);

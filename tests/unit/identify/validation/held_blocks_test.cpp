@@ -390,5 +390,24 @@ TEST(PredictedRecords, OnlyWhatWasMeasuredCountsAndPathsAreNearTheTruth) {
   EXPECT_LT((one.path.col(1).array() - t.cos()).abs().maxCoeff(), 0.3);
 }
 
+TEST(HeldBlocks, ALongRecordIsThinnedToItsBeginningOrToPiecesOfAllOfIt) {
+  Trajectory record;
+  record.time = Vector::LinSpaced(1000, 0.0, 999.0);
+  record.states = record.time;
+  record.inputs.resize(1000, 0);
+  Dataset data;
+  data.states = {{"x", ""}};
+  data.rate_of = {std::nullopt};
+  data.trajectories = {record};
+  const Dataset begin = thinned(data, 100), spread = thinned(data, 100, 4);
+  ASSERT_EQ(begin.trajectories.size(), 1u);
+  EXPECT_EQ(begin.trajectories[0].time[99], 99.0);
+  ASSERT_EQ(spread.trajectories.size(), 4u);
+  EXPECT_EQ(spread.samples(), 100);
+  EXPECT_EQ(spread.trajectories[0].time[0], 0.0);
+  EXPECT_EQ(spread.trajectories[3].time[0], 750.0);
+  EXPECT_EQ(thinned(data, 1000, 4).trajectories.size(), 1u);
+}
+
 }  // namespace
 }  // namespace lacuna

@@ -17,7 +17,8 @@ namespace {
 constexpr double kLate = 2.5, kTau = 8.0, kGain = 1.5, kNoise = 0.02;
 
 /// tau dx/dt = k u(t - d) - x with u held at levels, solved exactly from jump to jump.
-Dataset late_record(std::uint64_t seed) {
+/// @param memory of the noise from sample to sample.
+Dataset late_record(std::uint64_t seed, double memory = 0.0) {
   constexpr Index kSamples = 400, kLength = 20;
   Random random(seed);
   Trajectory record;
@@ -28,12 +29,13 @@ Dataset late_record(std::uint64_t seed) {
     record.inputs(i, 0) = i % kLength == 0 && i > 0 ? random.normal()
                           : i == 0                  ? 0.0
                                                     : record.inputs(i - 1, 0);
-  double x = 0.0;
+  double x = 0.0, noise = 0.0;
   const auto rest = [&](double level, double time) {
     x = level + (x - level) * std::exp(-time / kTau);
   };
   for (Index i = 0; i < kSamples; ++i) {
-    record.states(i, 0) = x + kNoise * random.normal();
+    noise = memory * noise + kNoise * std::sqrt(1.0 - memory * memory) * random.normal();
+    record.states(i, 0) = x + noise;
     // Half a sample of what acted three samples ago, then half of what acted two ago.
     rest(kGain * record.inputs(std::max<Index>(i - 3, 0), 0), 0.5);
     rest(kGain * record.inputs(std::max<Index>(i - 2, 0), 0), 0.5);
@@ -84,6 +86,32 @@ TEST(DelayFit, FindsADelayAndItsErrorWithTheOthers) {
   const Fit known = fit(late_system("2.5 fixed"), late_record(10), {});
   EXPECT_LT(*late_number(known, "tau").standard_error, tau_errors);
   EXPECT_GT(errors, 0.0);
+}
+
+TEST(DelayFit, NoiseWithMemoryMakesADelayAsUncertainAsItIs) {
+  double squares = 0.0, errors = 0.0;
+  constexpr int kDraws = 8;
+  for (int draw = 0; draw < kDraws; ++draw) {
+    const Fit found = fit(late_system("2.2 in 0..6"), late_record(60 + draw, 0.9), {});
+    const FittedParameter& d = late_number(found, "d");
+    ASSERT_TRUE(d.standard_error && d.ci95);
+    squares += std::pow((d.value - kLate) / *d.standard_error, 2);
+    errors += *d.standard_error / kDraws;
+    const FittedParameter& tau = late_number(found, "tau");
+    EXPECT_NEAR(tau.value, kTau, 4.0 * *tau.standard_error);
+  }
+  // Chi squared of 8 draws: 99.9 % between 0.7 and 26.1.
+  EXPECT_LT(squares, 26.1);
+  EXPECT_GT(squares, 0.7);
+  // Least squares with the true correlation, J^+ R J^+T of the exact solution, have 0.028 on the
+  // average of such inputs; as if values were independent it is 0.0136.
+  EXPECT_GT(errors, 0.021);
+  EXPECT_LT(errors, 0.036);
+}
+
+TEST(DelayFit, IsOneOfTheUnknowns) {
+  const Fit found = fit(late_system("2.2 in 0..6"), late_record(80), {});
+  EXPECT_EQ(found.degrees_of_freedom, 400.0 - 4.0) << "tau, k, d and the initial state";
 }
 
 /// A prior that is far narrower than what the record shows draws the estimate to its mean, of

@@ -3,9 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <unsupported/Eigen/KroneckerProduct>
 #include <unsupported/Eigen/MatrixFunctions>
 
+#include "lacuna/model/files/ode_text.hpp"
 #include "support/random_matrix.hpp"
 #include "support/stiff_models.hpp"
 #include "trajectories/sensitivities/implicit/radau_system.hpp"
@@ -188,6 +190,27 @@ TEST(Radau, ExplicitStepsAreHeldAgainstTheirBoundOfStability) {
   EXPECT_TRUE(is_beyond_explicit_steps(decay, 2.8e-3));
   EXPECT_FALSE(is_beyond_explicit_steps(decay, 2.7e-3));
   EXPECT_FALSE(is_beyond_explicit_steps(-decay, 2.8e-3)) << "what grows is not stiff";
+}
+
+// x' = u - 1/2 sqrt(x) from 0, u = 0 up to t = 40 and 1 from then on, where time is so far from
+// 0 that steps of a small fraction of the first values could not be made.
+TEST(RadauFlow, AStateThatLeavesZeroLater) {
+  const OdeModel model = parse_ode("input u hold zero\ndx/dt = u - 0.5*sqrt(x)\n", "m.ode");
+  Rates rates(ParametrisedModel(model, {}), Outside::AsAtTheEdge);
+  RadauFlow flow;
+  Vector x = Vector::Zero(1);
+  double u = 0.0;
+  const auto drive = [&](double t, double* slots) {
+    slots[1] = u;
+    slots[2] = t;
+  };
+  ASSERT_TRUE(flow.advance(rates, drive, 0.0, 40.0, x));
+  EXPECT_EQ(x[0], 0.0);
+  u = 1.0;
+  ASSERT_TRUE(flow.advance(rates, drive, 40.0, 41.0, x));
+  // With s = sqrt(x): t = -4 s - 8 log(1 - s/2) after the jump.
+  const double s = std::sqrt(x[0]);
+  EXPECT_NEAR(-4.0 * s - 8.0 * std::log1p(-0.5 * s), 1.0, 1e-6);
 }
 
 }  // namespace
