@@ -138,8 +138,19 @@ TEST_F(HiddenStates, NothingIsNamedWhereOnlyCoefficientsAreOff) {
   EXPECT_NEAR(estimated(answer, "v", "q"), -9.0, 0.05);
 }
 
-TEST_F(HiddenStates, StructureThatHasNoNameIsSeenThroughAFormula) {
+TEST_F(HiddenStates, ARippleIsSeenThroughAFormula) {
   const Json answer = diagnosis({kOscillator + " - 1.5*sin(6*q)", "q", 0.02, 3.0, 0.002},
+                                "input u hold linear\nq = 2*p\ndp/dt = v\n"
+                                "dv/dt = -8*p - 0.25*v + 0.5*u");
+  ASSERT_EQ(answer.at("effects").size(), 1u) << answer.dump(1);
+  const Json& effect = answer["effects"][0];
+  EXPECT_EQ(effect.at("name"), "periodic-function");
+  EXPECT_EQ(effect.at("equation"), "v");
+  EXPECT_NEAR(std::abs(effect.at("coefficient").get<double>()), 0.75, 0.02);
+}
+
+TEST_F(HiddenStates, StructureThatHasNoNameIsSeenThroughAFormula) {
+  const Json answer = diagnosis({kOscillator + " - 1.5*sin(9*q^3)", "q", 0.02, 3.0, 0.002},
                                 "input u hold linear\nq = 2*p\ndp/dt = v\n"
                                 "dv/dt = -8*p - 0.25*v + 0.5*u");
   EXPECT_NE(answer.at("verdict"), "explained") << answer.dump(1);

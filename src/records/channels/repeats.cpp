@@ -72,7 +72,8 @@ double chance_of_repeat(const Dataset& data, Index state, const std::vector<Run>
       values.trajectories.push_back(std::move(some));
   const StateNoise noise = analyse_noise(values).front();
   if (noise.kind != NoiseKind::White && noise.kind != NoiseKind::Coloured) return 1.0;
-  return value_spacings(values)[0] / (2.0 * std::sqrt(M_PI) * noise.sigma);
+  const double spacing = std::max(value_spacings(values)[0], gap_of_visited(values, 0));
+  return spacing / (2.0 * std::sqrt(M_PI) * noise.sigma);
 }
 
 /// Number of repeats from which on a run is hardly chance; 0 where none is.

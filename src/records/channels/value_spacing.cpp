@@ -15,10 +15,6 @@ double spacing_of_digits(const Eigen::Ref<const Vector>& values) {
   return kSevenDigits * values.cwiseAbs().maxCoeff();
 }
 
-namespace {
-
-/// Median gap between the values that a state takes, where it comes back to them; 0 where most
-/// occur once. A lattice with uneven steps (a thermistor, a root) has no spacing but this.
 double gap_of_visited(const Dataset& data, Index state) {
   std::vector<double> values;
   for (const Trajectory& record : data.trajectories) {
@@ -33,8 +29,6 @@ double gap_of_visited(const Dataset& data, Index state) {
   for (std::size_t i = 0; i < gaps.size(); ++i) gaps[i] = values[i + 1] - values[i];
   return median(std::move(gaps));
 }
-
-}  // namespace
 
 Vector value_spacings(const Dataset& data) {
   Vector spacings = Vector::Zero(data.state_count());
