@@ -35,8 +35,7 @@ Vector value_spacings(const Dataset& data) {
   for (Index k = 0; k < spacings.size(); ++k) {
     for (const Trajectory& record : data.trajectories)
       spacings[k] = std::max(spacings[k], spacing_of_digits(record.states.col(k)));
-    spacings[k] =
-        std::max({spacings[k], lattice_of(data, k).value_or(0.0), gap_of_visited(data, k)});
+    spacings[k] = std::max(spacings[k], lattice_of(data, k).value_or(0.0));
   }
   return spacings;
 }
