@@ -42,11 +42,7 @@ std::optional<Reading> input_lag_reading(const FittedForm& fitted) {
   const Expression& term = *candidate.within;
   if (!(candidate.form == substitute(term, {{candidate.argument.name(), late}}) - term))
     return std::nullopt;
-  Candidate whole = candidate;
-  whole.argument = term;
-  const FittedForm of_term{whole,          fitted.shapes, fitted.coefficient, fitted.deviation,
-                           fitted.nominal, fitted.scope,  fitted.options};
-  if (!is_part_of_term(of_term)) return std::nullopt;
+  if (!is_part_of(fitted, term)) return std::nullopt;
   return Reading{"lag of " + candidate.argument.to_string() + " before " + term.to_string(),
                  Precedence::Plain,
                  {"tau"}};

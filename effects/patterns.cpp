@@ -74,9 +74,14 @@ bool is_flat_outside(const Bend& bend, const NamingOptions& options) {
 }
 
 bool is_part_of_term(const FittedForm& fitted) {
-  const double whole = nominal_slope(fitted);
+  return is_part_of(fitted, fitted.candidate.argument);
+}
+
+bool is_part_of(const FittedForm& fitted, const Expression& term) {
+  const double whole = slope(fitted.nominal, fitted.candidate.equation, term);
   const bool is_part = std::abs(fitted.coefficient) < std::abs(whole);
-  return whole * fitted.coefficient > 0.0 && (is_part || is_whole_term(fitted));
+  return whole * fitted.coefficient > 0.0 &&
+         (is_part || agree(whole, fitted.coefficient, fitted.deviation, fitted.options));
 }
 
 bool is_whole_term(const FittedForm& fitted) {

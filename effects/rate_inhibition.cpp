@@ -55,11 +55,7 @@ std::optional<Reading> rate_inhibition_reading(const FittedForm& fitted) {
                   {"p", candidate.argument},
                   {"strength", Expression::variable(candidate.shapes.front().name)}});
   if (!(candidate.form == more)) return std::nullopt;
-  Candidate whole = candidate;
-  whole.argument = rate;
-  const FittedForm of_rate{whole,          fitted.shapes, fitted.coefficient, fitted.deviation,
-                           fitted.nominal, fitted.scope,  fitted.options};
-  if (!is_part_of_term(of_rate)) return std::nullopt;
+  if (!is_part_of(fitted, rate)) return std::nullopt;
   return Reading{
       "rate " + rate.to_string() + " that " + candidate.argument.to_string() + " inhibits",
       Precedence::Plain,

@@ -48,6 +48,9 @@ bool is_flat_outside(const Bend& bend, const NamingOptions& options);
 /// Whether the coefficient is a part of that of the argument as it is fitted, or the whole.
 bool is_part_of_term(const FittedForm& fitted);
 
+/// The same for a term of the equation.
+bool is_part_of(const FittedForm& fitted, const Expression& term);
+
 /// Whether the coefficient is that of the argument as it is fitted.
 bool is_whole_term(const FittedForm& fitted);
 
