@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
+
 #include "lacuna/effects/families.hpp"
 #include "lacuna/effects/forms.hpp"
 #include "lacuna/effects/patterns.hpp"
@@ -19,14 +21,25 @@ Expression from_instant(const Scope& scope, const Expression& term, const std::s
                      {"time", Expression::variable(time)}});
 }
 
+/// What the fastest state remembers, in time units.
+double shortest_memory(const Scope& scope) {
+  double shortest = scope.duration;
+  for (const VariableRange& variable : scope.variables)
+    if (!variable.is_input) shortest = std::min(shortest, variable.recurrence);
+  return shortest;
+}
+
 Candidate changing(const Scope& scope, const Expression& term) {
+  // A fact: in less than half a period the motion does not come back, and what happens in time
+  // is not distinguished from what happens along the way.
+  constexpr double kMemoriesInHalfPeriod = 3.0;
+  const double swing = std::max(kMemoriesInHalfPeriod * shortest_memory(scope), scope.step);
+  const double begin = scope.start + swing, end = scope.start + scope.duration - swing;
   const std::string time = scope.free_name("time");
   Candidate candidate = plain_candidate(from_instant(scope, term, time), term);
-  const double begin = scope.start, end = scope.start + scope.duration;
-  candidate.shapes = {
-      {time, scope.model.time_unit(), begin + scope.step, end - scope.step, false}};
+  candidate.shapes = {{time, scope.model.time_unit(), begin, end, false}};
   for (int i = 1; i < kStarts; ++i)
-    candidate.starts.push_back(Vector::Constant(1, begin + scope.duration * i / kStarts));
+    candidate.starts.push_back(Vector::Constant(1, begin + (end - begin) * i / kStarts));
   return candidate;
 }
 
