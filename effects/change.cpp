@@ -30,10 +30,10 @@ double shortest_memory(const Scope& scope) {
 }
 
 Candidate changing(const Scope& scope, const Expression& term) {
-  // A fact: in less than half a period the motion does not come back, and what happens in time
+  // A fact: in less than a period the motion does not come back, and what happens in time
   // is not distinguished from what happens along the way.
-  constexpr double kMemoriesInHalfPeriod = 3.0;
-  const double swing = std::max(kMemoriesInHalfPeriod * shortest_memory(scope), scope.step);
+  constexpr double kMemoriesInPeriod = 6.0;
+  const double swing = std::max(kMemoriesInPeriod * shortest_memory(scope), scope.step);
   const double begin = scope.start + swing, end = scope.start + scope.duration - swing;
   const std::string time = scope.free_name("time");
   Candidate candidate = plain_candidate(from_instant(scope, term, time), term);
