@@ -9,7 +9,8 @@
 namespace lacuna {
 namespace {
 
-// Instants at which the search begins: a record forgets less than a part of this length.
+// A fact of the search: parts of the record from whose ends it begins. An instant is found from
+// as far as the states remember it.
 constexpr int kStarts = 16;
 
 /// A term that is there from an instant on: within one sampling step, so that the instant can
@@ -21,20 +22,11 @@ Expression from_instant(const Scope& scope, const Expression& term, const std::s
                      {"time", Expression::variable(time)}});
 }
 
-/// What the fastest state remembers, in time units.
-double shortest_memory(const Scope& scope) {
-  double shortest = scope.duration;
-  for (const VariableRange& variable : scope.variables)
-    if (!variable.is_input) shortest = std::min(shortest, variable.recurrence);
-  return shortest;
-}
-
+/// The term with an instant that has a period of the motion on either side: before the motion
+/// has come back what happens in time is not distinguished from what happens along the way.
 Candidate changing(const Scope& scope, const Expression& term) {
-  // A fact: in less than a period the motion does not come back, and what happens in time
-  // is not distinguished from what happens along the way.
-  constexpr double kMemoriesInPeriod = 6.0;
-  const double swing = std::max(kMemoriesInPeriod * shortest_memory(scope), scope.step);
-  const double begin = scope.start + swing, end = scope.start + scope.duration - swing;
+  const double period = std::max(shortest_period(scope), scope.step);
+  const double begin = scope.start + period, end = scope.start + scope.duration - period;
   const std::string time = scope.free_name("time");
   Candidate candidate = plain_candidate(from_instant(scope, term, time), term);
   candidate.shapes = {{time, scope.model.time_unit(), begin, end, false}};
@@ -60,6 +52,10 @@ std::optional<Reading> change_reading(const FittedForm& fitted) {
       !(candidate.form ==
         from_instant(fitted.scope, candidate.argument, candidate.shapes.front().name)))
     return std::nullopt;
+  const ShapeParameter& time = candidate.shapes.front();
+  const double step = fitted.scope.step;
+  if (!(fitted.shapes[0] > time.low + step && fitted.shapes[0] < time.high - step))
+    return std::nullopt;  // it would be beyond
   const std::string of = candidate.argument.variables().empty()
                              ? "constant rate"
                              : "coefficient of " + candidate.argument.to_string();

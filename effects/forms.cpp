@@ -48,11 +48,14 @@ std::vector<Vector> starts_at(const std::vector<double>& values) {
   return starts;
 }
 
-ShapeParameter rise_speed(const Scope& scope, const Expression& speed) {
-  constexpr double kSlowest = 0.005, kFastest = 0.5;
-  const VariableRange range = scope.range_of(speed);
+std::vector<ShapeParameter> rise_shapes(const Scope& scope, const Expression& v) {
+  // Facts of the search: slower is standstill, faster a bend of the whole characteristic; from
+  // a cusp to a step.
+  constexpr double kSlowest = 0.005, kFastest = 0.5, kCusp = 0.5, kStep = 4.0;
+  const VariableRange range = scope.range_of(v);
   const double widest = range.magnitude();
-  return {"speed", range.unit, kSlowest * widest, kFastest * widest, true};
+  return {{"speed", range.unit, kSlowest * widest, kFastest * widest, true},
+          {"exponent", "", kCusp, kStep, true}};
 }
 
 Candidate play_of(const Scope& scope, Index equation, const Expression& x) {

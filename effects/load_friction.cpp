@@ -9,14 +9,15 @@
 namespace lacuna {
 namespace {
 
-// From where one of two torques rubs alone to where the other one does.
+// Facts of the search: from where one of two torques rubs alone to where the other one does.
 constexpr double kLeastRatio = 0.02, kLargestRatio = 50.0;
 
 constexpr std::string_view kAlways = "abs(load)*sign(v)";
 constexpr std::string_view kNearStandstill = "abs(load)*exp(-abs(v/speed)^exponent)*sign(v)";
 constexpr std::string_view kBesideBase = "(abs(load)+base)*exp(-abs(v/speed)^exponent)*sign(v)";
 
-// From where friction without a load is lost in that of the load to where it is all of it.
+// Facts of the search: from where friction without a load is lost in that of the load to where
+// it is all of it.
 constexpr double kLeastBase = 0.01, kLargestBase = 100.0;
 
 /// What the equation of a speed v says that drives it and that weighs on it, each as a sum of
@@ -54,13 +55,13 @@ void add_friction(const Scope& scope, const Expression& v, const Expression& loa
   always.most = 0.0;
   Candidate slow = always;
   slow.form = formula(scope, kNearStandstill, {{"load", load}, {"v", v}});
-  slow.shapes.push_back(rise_speed(scope, v));
-  slow.shapes.push_back({"exponent", "", 0.5, 4.0, true});
+  const std::vector<ShapeParameter> rise = rise_shapes(scope, v);
+  slow.shapes.insert(slow.shapes.end(), rise.begin(), rise.end());
   slow.starts.clear();
   for (const Vector& start : starts.empty() ? std::vector<Vector>{Vector{}} : starts)
     for (const double part : {0.1, 0.4}) {
       Vector more(start.size() + 2);
-      more << start, part * rise_speed(scope, v).high, 2.0;
+      more << start, part * rise.front().high, 2.0;
       slow.starts.push_back(more);
     }
   result.push_back(std::move(always));
@@ -72,8 +73,8 @@ Candidate with_base(const Scope& scope, Candidate slow, const Expression& v,
                     const Expression& load) {
   const double usual = magnitude_quantile(scope, load, 0.5);
   slow.form = formula(scope, kBesideBase, {{"load", load}, {"v", v}});
-  slow.shapes.insert(slow.shapes.begin(), {scope.free_name("base"), "", kLeastBase * usual,
-                                           kLargestBase * usual, true});
+  slow.shapes.insert(slow.shapes.begin(),
+                     {"base", "", kLeastBase * usual, kLargestBase * usual, true});
   for (Vector& start : slow.starts) {
     Vector more(start.size() + 1);
     more << usual, start;

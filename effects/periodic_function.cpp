@@ -12,18 +12,17 @@ namespace {
 
 using std::numbers::pi;
 
-/// A wave over the place. Its wave number is known to within half a wave in the whole range,
-/// and what comes again less than twice is a curve.
+/// A wave over the place. Its wave number is known to within half a wave in the whole range.
 Candidate wave_over(const Scope& scope, const Ripple& ripple) {
-  constexpr double kKnown = 0.5, kFewestWaves = 2.0;
+  constexpr double kKnown = 0.5;  // a fact of the periodogram: half the width of a peak
   const VariableRange& place = scope.state(ripple.position);
   const Expression x = Expression::variable(place.name);
   const double range = place.high - place.low, waves = range / ripple.period;
   Candidate candidate =
       plain_candidate(formula(scope, "sin(2*pi*x/period+phase)", {{"x", x}}), x);
-  candidate.shapes = {{scope.free_name("period"), place.unit, range / (waves + kKnown),
-                       range / std::max(waves - kKnown, kFewestWaves), true},
-                      {scope.free_name("phase"), "rad", -pi, pi, false}};
+  candidate.shapes = {{"period", place.unit, range / (waves + kKnown),
+                       range / std::max(waves - kKnown, kFewestPeriods), true},
+                      {"phase", "rad", -pi, pi, false}};
   candidate.starts = {Vector{{ripple.period, 0.0}}, Vector{{ripple.period, 0.5 * pi}}};
   candidate.repeats = true;
   return candidate;

@@ -9,7 +9,8 @@
 namespace lacuna {
 namespace {
 
-// From where what is added to a denominator is lost in it to where it is all of it.
+// Facts of the search: from where what is added to a denominator is lost in it to where it is
+// all of it.
 constexpr double kLeastPart = 0.01, kLargestPart = 100.0;
 
 /// A rate a/b with more in its denominator: a/(b+strength*p) - a/b.
@@ -20,7 +21,7 @@ Candidate inhibited(const Scope& scope, Index equation, const Expression& rate,
       std::abs(scope.range_of(below).quantile(0.5)) / magnitude_quantile(scope, p, 0.9);
   Candidate candidate = shaped_candidate(
       formula(scope, "a/(b+strength*p)-a/b", {{"a", above}, {"b", below}, {"p", p}}), p,
-      {scope.free_name("strength"), "", kLeastPart * unit, kLargestPart * unit, true},
+      {"strength", "", kLeastPart * unit, kLargestPart * unit, true},
       geometric_starts(0.1 * unit, 10.0 * unit, 3));
   candidate.within = rate;
   bound_to_term(scope, equation, rate, candidate);

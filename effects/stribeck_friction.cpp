@@ -18,7 +18,7 @@ std::vector<Candidate> stribeck_friction_forms(const Scope& scope, Index equatio
   const Expression v = own_state(scope, equation);
   Candidate sharp =
       plain_candidate(formula(scope, "(1+rise*exp(-(v/speed)^2))*sign(v)", {{"v", v}}), v);
-  sharp.shapes = {{"rise", "", 0.05, 10.0, true}, rise_speed(scope, v)};
+  sharp.shapes = {{"rise", "", 0.05, 10.0, true}, rise_shapes(scope, v).front()};
   Candidate blunt = plain_candidate(
       formula(scope, "(1+rise*exp(-(v/speed)^2))*tanh(v/width)", {{"v", v}}), v);
   blunt.shapes = sharp.shapes;
@@ -27,10 +27,9 @@ std::vector<Candidate> stribeck_friction_forms(const Scope& scope, Index equatio
   // What comes on top of dry friction that the model has.
   Candidate rise =
       plain_candidate(formula(scope, "exp(-abs(v/speed)^exponent)*sign(v)", {{"v", v}}), v);
-  rise.shapes = {rise_speed(scope, v), {"exponent", "", 0.5, 4.0, true}};
-  for (const double rises : {0.02 * widest, 0.08 * widest, 0.25 * widest})
-    rise.starts.push_back(Vector{{rises, 2.0}});
+  rise.shapes = rise_shapes(scope, v);
   for (const double rises : {0.02 * widest, 0.08 * widest, 0.25 * widest}) {
+    rise.starts.push_back(Vector{{rises, 2.0}});
     sharp.starts.push_back(Vector{{1.0, rises}});
     blunt.starts.push_back(Vector{{1.0, rises, 0.01 * widest}});
   }

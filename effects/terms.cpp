@@ -138,14 +138,15 @@ bool in_other_part(const Scope& scope, Index equation, const Expression& state) 
   return false;
 }
 
-bool determines_time(const Scope& scope) {
-  // Facts: a sine forgets half of itself in a sixth of its period; in fewer than two periods
-  // what comes back is not distinguished from what goes on.
-  constexpr double kMemoriesInPeriod = 6.0, kPeriods = 2.0;
-  double fastest = scope.duration;
+double shortest_period(const Scope& scope) {
+  double shortest = scope.duration;
   for (const VariableRange& variable : scope.variables)
-    if (!variable.is_input) fastest = std::min(fastest, variable.recurrence);
-  return kPeriods * kMemoriesInPeriod * fastest <= scope.duration;
+    if (!variable.is_input) shortest = std::min(shortest, variable.period);
+  return shortest;
+}
+
+bool determines_time(const Scope& scope) {
+  return kFewestPeriods * shortest_period(scope) <= scope.duration;
 }
 
 std::vector<Expression> all_variables(const Scope& scope) {

@@ -49,7 +49,7 @@ Scope scaled(const EffectSystem& system, double scale, double pace) {
       *value *= scale;
     range.quantiles *= scale;
     range.timescale *= pace;
-    range.recurrence *= pace;
+    range.period *= pace;
   }
   const Index last = scope.samples.cols() - 1;
   scope.samples.leftCols(last) *= scale;

@@ -37,8 +37,9 @@ std::vector<Vector> geometric_starts(double low, double high, int count);
 /// The given values as starting points (one entry each) of one shape parameter.
 std::vector<Vector> starts_at(const std::vector<double>& values);
 
-/// The speed below which friction rises, as a shape parameter "speed": 0.5 to 50 % of the largest.
-ShapeParameter rise_speed(const Scope& scope, const Expression& speed);
+/// How friction rises towards standstill, exp(-abs(v/speed)^exponent): "speed" (0.5 to 50 % of
+/// the largest) and "exponent" (0.5 to 4) as shape parameters, in this order.
+std::vector<ShapeParameter> rise_shapes(const Scope& scope, const Expression& v);
 
 /// What takes over the action of a place x through play of half width gap: clip(follower-x,
 /// -gap,gap) with a memory state that stands still while it is within the gap and is taken

@@ -40,8 +40,11 @@ bool is_input(const Scope& scope, const Expression& expression);
 /// state: no path of terms leads from one to the other, in either direction.
 bool in_other_part(const Scope& scope, Index equation, const Expression& state);
 
+/// A mean period of the fastest state, in time units; at most the length of the records.
+double shortest_period(const Scope& scope);
+
 /// Whether records are long enough to distinguish what changes with time from what moves in
-/// them: two mean periods of the fastest state, as far as how long it remembers says.
+/// them: kFewestPeriods of the fastest state.
 bool determines_time(const Scope& scope);
 
 /// States, then inputs.

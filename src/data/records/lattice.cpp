@@ -96,6 +96,7 @@ std::optional<double> printed_lattice(const std::vector<double>& values,
 /// Spacing of the digits of each value where all were written with so many significant ones at
 /// most; nothing where they have more than such files do.
 std::vector<double> significant_digits(const std::vector<double>& values) {
+  // Facts of files: fewer digits are few levels, more are those of doubles.
   constexpr int kFewest = 4, kMost = 9;
   const auto digit_of = [](double value, int count) {
     return value == 0.0 ? 0.0

@@ -43,14 +43,13 @@ std::vector<Assimilation> other_starts(const Baseline& base) {
 /// Where the residual of a velocity comes again with the place. What is strongest at the
 /// longest period of all has its peak beyond it: a curve.
 std::vector<Ripple> ripples_of(const Scope& scope, const Assimilation& fit) {
-  constexpr double kFewestWaves = 2.0;
   std::vector<Ripple> ripples;
   for (Index k = 0; k < scope.model.dimension(); ++k) {
     const auto position = scope.integral_of(k);
     const auto found = position ? best_period(fit, k, *position) : std::nullopt;
     if (!found) continue;
     const VariableRange& place = scope.state(*position);
-    if (kFewestWaves * found->longest < place.high - place.low)
+    if (kFewestPeriods * found->longest < place.high - place.low)
       ripples.push_back({k, *position, found->longest});
   }
   return ripples;

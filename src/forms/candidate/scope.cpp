@@ -65,16 +65,22 @@ double variance_of(const Vector& values) {
   return (values.array() - values.mean()).square().mean();
 }
 
-/// half_memory() of the whole or of a half that moves, whichever is shorter: a level that
-/// changes once is remembered for ever, what goes on about it is not.
-Index shortest_memory(const Vector& values) {
-  // A fact: a half that rests has the memory of noise.
-  constexpr double kMoves = 0.1;
+/// A mean period in samples, of the whole or of a half, whichever is shorter: a level that
+/// changes once is remembered for ever, what goes on about it is not. A half that rests has the
+/// memory of noise, and one in which the motion does not come back has a memory that is as long
+/// as the half is: a ramp makes it 1 period, a decay 1.1.
+double mean_period(const Vector& values) {
+  // A sine forgets half of itself in a sixth of its period.
+  constexpr double kMemoriesInPeriod = 6.0, kMoves = 0.1, kComesBack = 1.5;
+  const auto period_of = [](const Vector& part) {
+    return kMemoriesInPeriod * static_cast<double>(half_memory(part));
+  };
   const Index half = values.size() / 2;
-  Index shortest = half_memory(values);
+  double shortest = period_of(values);
   for (const Vector& part : {Vector(values.head(half)), Vector(values.tail(half))})
-    if (half > 1 && variance_of(part) >= kMoves * variance_of(values))
-      shortest = std::min(shortest, half_memory(part));
+    if (half > 1 && variance_of(part) >= kMoves * variance_of(values) &&
+        kComesBack * period_of(part) <= static_cast<double>(half))
+      shortest = std::min(shortest, period_of(part));
   return shortest;
 }
 
@@ -85,7 +91,7 @@ void set_timescales(Scope& scope, const Dataset& data) {
     const Vector values = i < states ? record.states.col(i) : record.inputs.col(i - states);
     VariableRange& range = scope.variables[static_cast<std::size_t>(i)];
     range.timescale = scope.step * static_cast<double>(half_memory(values));
-    range.recurrence = scope.step * static_cast<double>(shortest_memory(values));
+    range.period = scope.step * mean_period(values);
   }
 }
 

@@ -5,6 +5,7 @@
 #include <complex>
 #include <numbers>
 
+#include "lacuna/forms/candidate/scope.hpp"
 #include "lacuna/trajectories/smoother/disturbance_test.hpp"
 
 namespace lacuna {
@@ -55,20 +56,19 @@ double power(const Eigen::ArrayXcd& wave, const Eigen::ArrayXd& d) {
 }  // namespace
 
 std::optional<ValuePeriod> best_period(const Assimilation& fit, Index equation, Index slot) {
-  // Facts: one period is no period, and what is shorter than four steps may be an alias.
-  constexpr double kLeastPeriods = 2.0, kLeastSteps = 4.0;
+  constexpr double kLeastSteps = 4.0;  // a fact: what is shorter may be an alias
   // A peak is found to a quarter of its width.
   constexpr double kOversampling = 4.0;
   const Scatter scatter = scatter_of(fit, equation, slot);
   const double range = scatter.x.maxCoeff() - scatter.x.minCoeff();
   const double shortest = kLeastSteps * scatter.step;
-  if (!(shortest > 0.0) || range < kLeastPeriods * shortest) return std::nullopt;
+  if (!(shortest > 0.0) || range < kFewestPeriods * shortest) return std::nullopt;
   const std::complex<double> turn(0.0, 2.0 * std::numbers::pi / range);
   const Eigen::ArrayXcd step = (turn / kOversampling * scatter.x).exp();
-  Eigen::ArrayXcd wave = (turn * kLeastPeriods * scatter.x).exp();
-  ValuePeriod best{range / kLeastPeriods, shortest, 0};
+  Eigen::ArrayXcd wave = (turn * kFewestPeriods * scatter.x).exp();
+  ValuePeriod best{range / kFewestPeriods, shortest, 0};
   double most = 0.0;
-  for (double periods = kLeastPeriods; periods * shortest <= range;
+  for (double periods = kFewestPeriods; periods * shortest <= range;
        periods += 1.0 / kOversampling, wave *= step, ++best.tried) {
     const double found = power(wave, scatter.d);
     if (found <= most) continue;

@@ -123,7 +123,7 @@ TEST(PeriodicForcing, StartsAtTheLinesOfItsEquation) {
 TEST(ParameterDrift, IsNotToldFromWhatMovesInLessThanTwoPeriods) {
   Scope scope = oscillator_scope();
   EXPECT_TRUE(determines_time(scope));
-  for (VariableRange& variable : scope.variables) variable.recurrence = scope.duration / 11.0;
+  for (VariableRange& variable : scope.variables) variable.period = scope.duration / 1.9;
   EXPECT_FALSE(determines_time(scope));
   EXPECT_EQ(forms_of<kParameterDrift>(scope, 1), Forms{});
   EXPECT_EQ(forms_of<kTimeTrend>(scope, 1), Forms{});
@@ -136,11 +136,21 @@ TEST(ParameterDrift, IsOfEveryTermThatVaries) {
 TEST(ParameterDrift, IsToldWhereALevelChangesOnce) {
   Dataset data = support::oscillator_record();
   Trajectory& record = data.trajectories.front();
-  record.states.bottomRows(400).array() += 8.0;
+  record.states.col(0) = (6.0 * record.time.array()).sin();
+  record.states.bottomRows(400).array() += 4.0;
   const Scope scope = make_scope(support::oscillator(), data, Vector::Constant(2, 0.01));
   EXPECT_GT(scope.state(0).timescale, 1.0) << "the level is remembered";
-  EXPECT_LT(scope.state(0).recurrence, 0.5) << "what goes on about it is not";
+  EXPECT_NEAR(scope.state(0).period, 6.2832 / 6.0, 0.1) << "what goes on about it is not";
   EXPECT_TRUE(determines_time(scope));
+}
+
+TEST(ParameterDrift, IsNotToldInOneStroke) {
+  Dataset data = support::oscillator_record();
+  Trajectory& record = data.trajectories.front();
+  record.states.col(0) = record.time;
+  record.states.col(1) = record.time.array().square();
+  const Scope scope = make_scope(support::oscillator(), data, Vector::Constant(2, 0.01));
+  EXPECT_FALSE(determines_time(scope)) << "half a stroke has half its memory";
 }
 
 TEST(Change, IsOfEveryTermAndOfAConstantWithinAStep) {

@@ -28,6 +28,9 @@ struct ModulationLine {
   Expression term;
 };
 
+/// A fact: what comes again less often within a range, or in time, is a curve.
+inline constexpr double kFewestPeriods = 2.0;
+
 /// A period in the value of a position in which the residual of the equation of its velocity comes
 /// again: teeth, poles, a grating along the way.
 struct Ripple {
@@ -49,8 +52,9 @@ struct VariableRange {
   /// How long it remembers: the first lag at which its autocorrelation is below 1/2, in the
   /// longest record; at least one step. 0 where it is not known (range_of()).
   double timescale = 0.0;
-  /// The same in the half of that record in which it is shortest, where it moves there.
-  double recurrence = 0.0;
+  /// A mean period, as far as memory says: six of those of that record, or of one of its halves
+  /// that moves and in which the motion comes back. 0 where it is not known.
+  double period = 0.0;
 
   /// Largest absolute value.
   double magnitude() const { return std::max(std::abs(low), std::abs(high)); }
