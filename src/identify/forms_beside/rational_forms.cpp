@@ -70,7 +70,10 @@ Numerators numerators_of(const EquationForms& equation, const FormRows& rows) {
   return all;
 }
 
-/// Monomials that are amounts in the records: a denominator with them has no zero.
+/// A fact of amounts: beside their largest value this is 0 with noise, on either side of it.
+constexpr double kNearZero = 0.05;
+
+/// Monomials that are amounts in the records: sums of them have a zero only where all are 0.
 std::vector<Expression> amounts(const Scope& scope, const FormRows& rows) {
   constexpr std::size_t kFewVariables = 3;  // of more: the variables themselves
   const int degree = scope.variables.size() <= kFewVariables ? 2 : 1;
@@ -78,20 +81,32 @@ std::vector<Expression> amounts(const Scope& scope, const FormRows& rows) {
   for (const Expression& monomial : monomials_of(scope, degree)) {
     if (is_one(monomial)) continue;
     const Matrix values = rows.values({monomial});
-    if (values.minCoeff() >= -0.05 * values.maxCoeff()) result.push_back(monomial);
+    if (values.minCoeff() >= -kNearZero * values.maxCoeff()) result.push_back(monomial);
   }
   return result;
 }
 
+/// Whether u + q v has a zero in the records: that of a variable which is a factor of both.
+bool vanish_together(const Expression& u, const Expression& v, const FormRows& rows) {
+  for (const std::string& name : u.variables()) {
+    if (!v.variables().contains(name)) continue;
+    const Matrix values = rows.values({Expression::variable(name)}).cwiseAbs();
+    if (values.minCoeff() < kNearZero * values.maxCoeff()) return true;
+  }
+  return false;
+}
+
 /// 1 + q u, 1 + q u + r v and u + q v of all monomials u and v.
-std::vector<Denominator> denominators_of(const std::vector<Expression>& monomials) {
+std::vector<Denominator> denominators_of(const std::vector<Expression>& monomials,
+                                         const FormRows& rows) {
   const Expression one = Expression::number(1.0);
   std::vector<Denominator> all;
   for (std::size_t i = 0; i < monomials.size(); ++i) {
     if (!is_power(monomials[i])) all.push_back({{one, monomials[i]}, {}, 0.0});
     for (std::size_t j = 0; j < i; ++j) {
       all.push_back({{one, monomials[j], monomials[i]}, {}, 0.0});
-      all.push_back({{monomials[j], monomials[i]}, {}, 0.0});
+      if (!vanish_together(monomials[j], monomials[i], rows))
+        all.push_back({{monomials[j], monomials[i]}, {}, 0.0});
     }
   }
   return all;
@@ -176,7 +191,7 @@ std::vector<Denominator> best_denominators(const Scope& scope, const FormRows& r
                                            const RunContext& context) {
   const Numerators numerators = numerators_of(equation, rows);
   const std::vector<Expression> monomials = amounts(scope, rows);
-  std::vector<Denominator> all = denominators_of(monomials);
+  std::vector<Denominator> all = denominators_of(monomials, rows);
   rate(all, numerators, rows, context);
   std::vector<Denominator> longer = of_four_monomials(all, monomials);
   rate(longer, numerators, rows, context);
