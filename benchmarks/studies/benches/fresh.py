@@ -46,7 +46,7 @@ def cart_against_rubber(rng):
     return on_a_spring(rng, lambda x, v: -40 * max(x - 0.5, 0))
 
 
-@bench("fresh", lacks=("v:coulomb-friction",))
+@bench("fresh", lacks=("v:coulomb-friction",), also=("v:periodic-function",))
 def cart_on_a_rough_rail(rng):
     """Dry friction, and a rail that is a little wavy."""
     return on_a_spring(rng, lambda x, v: -0.8 * switch(v, 0.01) + 0.08 * np.sin(12 * x), 0.2)

@@ -155,7 +155,7 @@ def predation_sated(rng):
     return Bench(time, channels, {}, model)
 
 
-@bench("untouched", lacks=BEYOND)
+@bench("untouched", lacks=("w:change",))
 def motor_load_put_on(rng):
     """In the middle of the record a flywheel is put on."""
     time = np.arange(3000) * 0.01

@@ -46,6 +46,13 @@ bool is_less_plain(const CompositeModel& one, const CompositeModel& other,
 
 namespace {
 
+/// What a composite model under another hold has to be below: the criterion of the best so far,
+/// with more effects by DecisionOptions::undecided.
+double limit_of(const Problem& problem, const CompositeModel& other, const CompositeModel& best) {
+  const bool has_more = other.explanation.effects.size() > best.explanation.effects.size();
+  return criterion_of(problem, best) - (has_more ? problem.options.decision.undecided : 0.0);
+}
+
 /// Why a composite model under another hold is not taken, where the criterion alone does not say.
 std::string rule_against(bool is_better, const std::optional<Index>& most_parameters) {
   if (is_better) return "more effects, and with fewer nothing is left";
@@ -67,7 +74,7 @@ void judge_rival_holds(const Problem& problem, const Hypotheses& hypotheses,
     JudgedModel other = judged_with(bounded, std::move(model), hypotheses, problem.context);
     if (problem.context.is_late()) return;  // it was not judged to its end
     const double value = criterion_of(problem, other.judged.best);
-    const double least = criterion_of(problem, best.judged.best);
+    const double least = limit_of(problem, other.judged.best, best.judged.best);
     const std::vector<std::string> notes = notes_on_holds(*other.model, open);
     const bool taken =
         value < least &&
