@@ -9,6 +9,7 @@
 
 #include "core/base/text.hpp"
 #include "data/derivatives/moving_polynomial.hpp"
+#include "identify/hidden_state/hidden_fit.hpp"
 #include "identify/hidden_state/sparse_coordinates.hpp"
 #include "lacuna/core/base/error.hpp"
 #include "lacuna/records/binding/embedding.hpp"
@@ -71,34 +72,6 @@ OdeModel model_of(const HiddenStateModel& polynomials, const Dataset& data,
   return OdeModel(std::move(states), data.inputs, std::move(equations), data.time_unit);
 }
 
-/// All coefficients are free but that of the hidden state where it is the rate of a measured
-/// one.
-ParametrisedModel parametrised(OdeModel model, Index of) {
-  const std::string& hidden = model.states().back().name;
-  std::vector<FreeCoefficient> free;
-  for (Index k = 0; k < model.dimension(); ++k) {
-    const Equation& equation = model.equations()[static_cast<std::size_t>(k)];
-    for (std::size_t i = 0; i < equation.size(); ++i)
-      if (k != of || equation[i].term.name() != hidden)
-        free.push_back({k, static_cast<Index>(i), {}});
-  }
-  return ParametrisedModel(std::move(model), std::move(free));
-}
-
-/// Residuals below this fraction of a state's deviation are those of digits and steps.
-constexpr double kDigitsAndSteps = 1e-5;
-
-bool is_clean(const Refinement& fit, const ResidualStatistics& residual) {
-  const Vector path = fit.states.col(residual.state);
-  const double squares = (path.array() - path.mean()).square().mean();
-  return residual.rms <= kDigitsAndSteps * std::sqrt(squares);
-}
-
-/// Whether nothing but noise is left of a state.
-bool is_explained(const Refinement& fit, const ResidualStatistics& residual) {
-  return residual.is_noise || is_clean(fit, residual);
-}
-
 /// Whether a fit is as good as another one, within what is known of the rms of residuals.
 bool is_as_good(const Refinement& fit, const Refinement& as) {
   if (fit.status == RefineStatus::Diverged) return false;
@@ -106,7 +79,7 @@ bool is_as_good(const Refinement& fit, const Refinement& as) {
   const double scatter = 4.0 / std::sqrt(2.0 * samples);
   for (std::size_t q = 0; q < fit.residuals.size(); ++q)
     if (fit.residuals[q].rms > (1.0 + scatter) * as.residuals[q].rms &&
-        !is_clean(fit, fit.residuals[q]))
+        !is_explained(fit, fit.residuals[q]))
       return false;
   return true;
 }
@@ -118,18 +91,13 @@ struct HiddenFit {
   int complexity = 0;
   Index period = 0;  ///< samples that a model has to follow
 
-  /// What the better one of two has less of: what is no noise in windows of a period, then terms,
-  /// or else residuals. In windows of a few samples any model follows the records.
+  /// What the better one of two has less of: what is no noise in windows of a period, then
+  /// terms, or else residuals. In windows of a few samples any model follows the records.
   std::pair<bool, double> worth() const {
-    constexpr double kPeriods = 1.0;  // a decision (docs/decisions/numbers.md)
-    const double window = static_cast<double>(fit.states.rows()) /
-                          static_cast<double>(fit.windows.size());
-    bool explained = window >= kPeriods * static_cast<double>(period);
+    const bool explained = is_explained(fit, period);
     double misfit = 0.0;
-    for (const ResidualStatistics& residual : fit.residuals) {
-      explained = explained && is_explained(fit, residual);
+    for (const ResidualStatistics& residual : fit.residuals)
       misfit = std::max(misfit, residual.rms / std::max(residual.noise, 1e-300));
-    }
     return {!explained, explained ? complexity : misfit};
   }
 };
@@ -143,12 +111,6 @@ Index samples_of_period(const Dataset& data) {
   return window_samples(paths, measured);
 }
 
-Refinement fit_of(const HiddenStateModel& model, Index of, const Dataset& data,
-                  const std::string& name, bool may_be_cut, const RunContext& context) {
-  return refine(parametrised(model_of(model, data, name), of), data, {.may_be_cut = may_be_cut},
-                context);
-}
-
 /// Whether no fit makes a model with so many terms better than one that is found.
 bool is_beaten(int complexity, const std::optional<HiddenFit>& by) {
   return by && by->worth() <= std::pair(false, static_cast<double>(complexity));
@@ -158,19 +120,21 @@ bool is_beaten(int complexity, const std::optional<HiddenFit>& by) {
 /// no solutions, or cannot be better than the best one so far. Past the deadline a first one is
 /// fitted in short windows as it was found.
 /// @throws OutOfTime past the deadline, where there is a best one.
-std::optional<HiddenFit> fitted(DerivativeModel derivative, const std::optional<HiddenFit>& best,
-                                const Dataset& data, const std::string& name,
-                                const RunContext& context) {
+std::optional<HiddenFit> fitted(DerivativeModel derivative,
+                                const std::optional<HiddenFit>& best, const Dataset& data,
+                                const std::string& name, const RunContext& context) {
   const Index period = samples_of_period(data);
   const HiddenStateModel plain = without_vanishing(polynomials_of(derivative));
   const HiddenStateModel sparse = in_sparse_coordinates(plain);
   const bool is_simpler = complexity(sparse) < complexity(plain);
   if (is_beaten(complexity(is_simpler ? sparse : plain), best)) return std::nullopt;
-  Refinement as_found = fit_of(plain, derivative.of, data, name, !best, context);
+  Refinement as_found =
+      fit_hidden(model_of(plain, data, name), derivative.of, data, !best, context);
   if (as_found.status == RefineStatus::Diverged) return std::nullopt;
   try {
     if (is_simpler && as_found.in_time)
-      if (Refinement simple = fit_of(sparse, derivative.of, data, name, false, context);
+      if (Refinement simple =
+              fit_hidden(model_of(sparse, data, name), derivative.of, data, false, context);
           is_as_good(simple, as_found))
         return HiddenFit{std::move(derivative), std::move(simple), complexity(sparse), period};
   } catch (const OutOfTime&) {
@@ -255,7 +219,9 @@ Dataset with_hidden(const Dataset& data, const OdeModel& model, Index of, double
 }
 
 /// Numbers of the equations, of the fit that has the last word.
-std::vector<EquationFit> fits_of(const Refinement& fit) {
+/// @param period samples that a model has to follow: in shorter windows nothing is shown.
+std::vector<EquationFit> fits_of(const Refinement& fit, Index period) {
+  const bool shown = spans(fit, period);
   std::vector<EquationFit> result;
   for (const Quantity& state : fit.model.symbolic().states()) {
     EquationFit& equation = result.emplace_back();
@@ -267,7 +233,7 @@ std::vector<EquationFit> fits_of(const Refinement& fit) {
   for (const ResidualStatistics& residual : fit.residuals) {
     EquationFit& equation = result[static_cast<std::size_t>(residual.state)];
     equation.misfit = residual.noise > 0.0 ? residual.rms / residual.noise : 0.0;
-    equation.fits_to_noise = is_explained(fit, residual);
+    equation.fits_to_noise = shown && is_explained(fit, residual);
   }
   return result;
 }
@@ -288,11 +254,15 @@ HiddenIdentification identify_hidden(const Dataset& data, const Pipeline& pipeli
                     "measure more, or give candidate terms (--terms, --degree)");
   const Index of = fits.best->derivative.of;
   const std::string rate = data.states[static_cast<std::size_t>(of)].name;
-  const Refinement& fit = fits.best->fit;
+  const Index period = fits.best->period;
+  Refinement& fit = fits.best->fit;
+  fit = with_terms_of_trajectories(std::move(fit), of, data,
+                                   pipeline.basis->library(fit.model.symbolic().variables()),
+                                   period, context);
   IdentificationResult result = std::move(fits.best->derivative.result);
   const double noise = result.noise[of];
   result.model = fit.fitted();
-  result.fit = fits_of(fit);
+  result.fit = fits_of(fit, period);
   result.noise = Vector::Zero(result.model.dimension());
   for (const ResidualStatistics& residual : fit.residuals)
     result.noise[residual.state] = residual.rms;
@@ -302,8 +272,13 @@ HiddenIdentification identify_hidden(const Dataset& data, const Pipeline& pipeli
                             "/dt, where its coefficient is set to 1; the trail is that of " +
                             rate + "_d1 = d" + rate + "/dt");
   if (!fit.message.empty()) result.warnings.push_back("fit with " + name + ": " + fit.message);
+  if (!spans(fit, period))
+    result.warnings.push_back("the model follows the records in windows of " +
+                              std::to_string(fit.states.rows() / Index(fit.windows.size())) +
+                              " samples, shorter than a mean period of " +
+                              std::to_string(period) + ": they do not show that it is right");
   for (const EquationFit& equation : result.fit)
-    if (!equation.fits_to_noise.value_or(true))
+    if (spans(fit, period) && !equation.fits_to_noise.value_or(true))
       result.warnings.push_back(
           "d" + equation.equation + "/dt: trajectories of the model are off by " +
           format_number(*equation.misfit, 2) + " times the measurement noise");
