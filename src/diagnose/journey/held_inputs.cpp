@@ -48,7 +48,8 @@ namespace {
 
 /// What a composite model under another hold has to be below: the criterion of the best so far,
 /// with more effects by DecisionOptions::undecided.
-double limit_of(const Problem& problem, const CompositeModel& other, const CompositeModel& best) {
+double limit_of(const Problem& problem, const CompositeModel& other,
+                const CompositeModel& best) {
   const bool has_more = other.explanation.effects.size() > best.explanation.effects.size();
   return criterion_of(problem, best) - (has_more ? problem.options.decision.undecided : 0.0);
 }

@@ -23,7 +23,8 @@ bool is_complete(const Dataset& view, Index states) {
   return true;
 }
 
-/// The noise of each column of the view as the channels of the fit have it; 0 where none is its.
+/// The noise of each column of the view as the channels of the fit have it; 0 where none is
+/// its.
 Vector noise_of(const FitRecords& records, const Dataset& view) {
   Vector noise = Vector::Zero(static_cast<Index>(view.states.size()));
   for (const FitChannel& channel : records.channels)
@@ -44,8 +45,9 @@ std::optional<FitInWindows> fitted_in_windows(const FitEngine& engine,
   if (!begins_anywhere || !unknowns.local.empty() || engine.events ||
       !engine.rates.delays().empty() || !is_complete(view, engine.states()))
     return std::nullopt;
-  const Refinement found = refine(
-      engine.model, view, {.noise = noise_of(engine.records, view), .may_be_cut = true}, context);
+  const Refinement found =
+      refine(engine.model, view, {.noise = noise_of(engine.records, view), .may_be_cut = true},
+             context);
   if (found.status == RefineStatus::Diverged || found.states.rows() != view.samples())
     return std::nullopt;
   const Vector values = found.model.values(),

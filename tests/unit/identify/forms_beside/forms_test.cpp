@@ -182,13 +182,13 @@ TEST(RationalForms, AreNotReducibleAndHaveNoPole) {
 }
 
 TEST(RationalForms, HaveNoDenominatorThatVanishesWithAFactor) {
-  const auto all =
-      fractions_of("dx/dt = -x\ndy/dt = 0.3 - 0.1*y", Eigen::Vector2d(1.0, 1.0));
+  const auto all = fractions_of("dx/dt = -x\ndy/dt = 0.3 - 0.1*y", Eigen::Vector2d(1.0, 1.0));
   ASSERT_FALSE(all.empty());
   for (const Candidate& candidate : all) {
     const std::string divisor = candidate.argument.to_string();
-    EXPECT_THAT(divisor, ::testing::AnyOf(::testing::StartsWith("1"), ::testing::StartsWith("y"),
-                                          ::testing::HasSubstr("+a*y")))
+    EXPECT_THAT(divisor,
+                ::testing::AnyOf(::testing::StartsWith("1"), ::testing::StartsWith("y"),
+                                 ::testing::HasSubstr("+a*y")))
         << "x falls to 0";
   }
 }

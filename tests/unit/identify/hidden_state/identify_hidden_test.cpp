@@ -104,7 +104,8 @@ TEST(IdentifyHidden, FindsRosslerFromTwoChannels) {
   }
 }
 
-/// Without the constant, which seeds each burst of h, a model follows windows shorter than a turn.
+/// Without the constant, which seeds each burst of h, a model follows windows shorter than a
+/// turn.
 TEST(IdentifyHidden, AConstantThatSeedsGrowthIsTakenOnTrajectories) {
   const TestSystem& rossler = test_system("rossler");
   const Vector later = simulate(rossler.model, Dopri8{}, Vector{{-3.0, -4.0, 0.05}},
