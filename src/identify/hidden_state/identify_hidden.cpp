@@ -256,9 +256,8 @@ HiddenIdentification identify_hidden(const Dataset& data, const Pipeline& pipeli
   const std::string rate = data.states[static_cast<std::size_t>(of)].name;
   const Index period = fits.best->period;
   Refinement& fit = fits.best->fit;
-  fit = with_terms_of_trajectories(std::move(fit), of, data,
-                                   pipeline.basis->library(fit.model.symbolic().variables()),
-                                   period, context);
+  const TermLibrary library = pipeline.basis->library(fit.model.symbolic().variables());
+  fit = with_terms_of_trajectories(std::move(fit), of, data, library, period, context);
   IdentificationResult result = std::move(fits.best->derivative.result);
   const double noise = result.noise[of];
   result.model = fit.fitted();
