@@ -103,8 +103,12 @@ double criterion(const Refinement& fit) {
          parameter_penalty(samples) * static_cast<double>(fit.model.values().size() + initial);
 }
 
+bool is_clean(const Refinement& fit, const ResidualStatistics& residual) {
+  return residual.rms <= digits_of(fit, residual.state);
+}
+
 bool is_explained(const Refinement& fit, const ResidualStatistics& residual) {
-  return residual.is_noise || residual.rms <= digits_of(fit, residual.state);
+  return residual.is_noise || is_clean(fit, residual);
 }
 
 bool spans(const Refinement& fit, Index period) {
@@ -124,22 +128,22 @@ bool is_explained(const Refinement& fit, Index period) {
 Refinement with_terms_of_trajectories(Refinement fit, Index of, const Dataset& data,
                                       const TermLibrary& library, Index period,
                                       const RunContext& context) {
+  // A bound of work (docs/decisions/bounds.md).
+  constexpr int kTaken = 2;
+  Refinement best = fit;
+  const auto take = [&](std::vector<OdeModel> models) {
+    return take_best(std::move(models), of, data, best, context);
+  };
   try {
-    const auto take = [&](std::vector<OdeModel> models) {
-      return take_best(std::move(models), of, data, fit, context);
-    };
-    // A bound of work: what lacks more terms is another structure, which is not found one by
-    // one.
-    constexpr int kTaken = 2;
-    for (int taken = 0; taken < kTaken && !is_explained(fit, period) &&
-                        take(with_one_more(fit.fitted(), library));
+    for (int taken = 0; taken < kTaken && !is_explained(best, period) &&
+                        take(with_one_more(best.fitted(), library));
          ++taken)
-      while (take(with_one_less(fit.fitted(), of))) {
+      while (take(with_one_less(best.fitted(), of))) {
       }
   } catch (const OutOfTime&) {
-    fit.in_time = false;
+    fit.in_time = best.in_time = false;
   }
-  return fit;
+  return is_explained(best, period) ? best : fit;
 }
 
 }  // namespace lacuna

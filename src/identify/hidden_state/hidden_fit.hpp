@@ -29,9 +29,10 @@ Refinement fit_hidden(OdeModel model, Index of, const Dataset& data, bool may_be
 double criterion(const Refinement& fit);
 
 /// Where a model leaves more than noise, or follows the records in short windows only: terms of
-/// the hidden state's equation taken one by one on the trajectories, as long as the criterion
-/// falls, and terms of any equation left out likewise. Rows of derivatives show little of them
-/// under noise: a constant that seeds growth is nowhere large.
+/// the hidden state's equation taken one by one on the trajectories, two at most, where the
+/// criterion falls, and terms of any equation left out likewise; the model as it was where
+/// these do not explain the records. Rows of derivatives show little of such terms under noise:
+/// a constant that seeds growth is nowhere large.
 /// @param library in the variables of the model. @param period samples that a model has to
 /// follow.
 /// @throws Cancelled; past the deadline the fit is the best one by then.
@@ -45,6 +46,9 @@ bool spans(const Refinement& fit, Index period);
 
 /// Whether nothing but noise is left in windows of a period.
 bool is_explained(const Refinement& fit, Index period);
+
+/// Whether what is left of a state is that of digits and steps.
+bool is_clean(const Refinement& fit, const ResidualStatistics& residual);
 
 /// Whether nothing but noise, or digits and steps, is left of a state.
 bool is_explained(const Refinement& fit, const ResidualStatistics& residual);

@@ -79,7 +79,7 @@ bool is_as_good(const Refinement& fit, const Refinement& as) {
   const double scatter = 4.0 / std::sqrt(2.0 * samples);
   for (std::size_t q = 0; q < fit.residuals.size(); ++q)
     if (fit.residuals[q].rms > (1.0 + scatter) * as.residuals[q].rms &&
-        !is_explained(fit, fit.residuals[q]))
+        !is_clean(fit, fit.residuals[q]))
       return false;
   return true;
 }
