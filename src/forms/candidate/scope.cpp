@@ -70,8 +70,9 @@ double variance_of(const Vector& values) {
 /// memory of noise, and one in which the motion does not come back has a memory that is as long
 /// as the half is: a ramp makes it 1 period, a decay 1.1.
 double mean_period(const Vector& values) {
-  // A sine forgets half of itself in a sixth of its period.
-  constexpr double kMemoriesInPeriod = 6.0, kMoves = 0.1, kComesBack = 1.5;
+  // Facts: a sine forgets half of itself in a sixth of its period; what varies by less rests.
+  constexpr double kMemoriesInPeriod = 6.0, kMoves = 0.1;
+  constexpr double kComesBack = 1.5;  // a decision (docs/decisions/numbers.md)
   const auto period_of = [](const Vector& part) {
     return kMemoriesInPeriod * static_cast<double>(half_memory(part));
   };

@@ -125,21 +125,18 @@ bool is_explained(const Refinement& fit, Index period) {
                                            });
 }
 
-Refinement with_terms_of_trajectories(Refinement fit, Index of, const Dataset& data,
-                                      const TermLibrary& library, Index period,
-                                      const RunContext& context) {
-  // A bound of work (docs/decisions/bounds.md).
-  constexpr int kTaken = 2;
+Refinement with_a_term_of_trajectories(Refinement fit, Index of, const Dataset& data,
+                                       const TermLibrary& library, Index period,
+                                       const RunContext& context) {
+  if (is_explained(fit, period)) return fit;
   Refinement best = fit;
   const auto take = [&](std::vector<OdeModel> models) {
     return take_best(std::move(models), of, data, best, context);
   };
   try {
-    for (int taken = 0; taken < kTaken && !is_explained(best, period) &&
-                        take(with_one_more(best.fitted(), library));
-         ++taken)
-      while (take(with_one_less(best.fitted(), of))) {
-      }
+    if (!take(with_one_more(best.fitted(), library))) return fit;
+    while (take(with_one_less(best.fitted(), of))) {
+    }
   } catch (const OutOfTime&) {
     fit.in_time = best.in_time = false;
   }

@@ -28,17 +28,17 @@ Refinement fit_hidden(OdeModel model, Index of, const Dataset& data, bool may_be
 /// What is below kDigitsAndSteps counts as that.
 double criterion(const Refinement& fit);
 
-/// Where a model leaves more than noise, or follows the records in short windows only: terms of
-/// the hidden state's equation taken one by one on the trajectories, two at most, where the
-/// criterion falls, and terms of any equation left out likewise; the model as it was where
-/// these do not explain the records. Rows of derivatives show little of such terms under noise:
-/// a constant that seeds growth is nowhere large.
+/// Where a model leaves more than noise, or follows the records in short windows only: the term
+/// of the hidden state's equation that lowers the criterion most, taken on the trajectories,
+/// and terms of any equation left out as long as it falls; the model as it was where that does
+/// not explain the records. Rows of derivatives show little of such a term under noise: a
+/// constant that seeds growth is nowhere large.
 /// @param library in the variables of the model. @param period samples that a model has to
 /// follow.
 /// @throws Cancelled; past the deadline the fit is the best one by then.
-Refinement with_terms_of_trajectories(Refinement fit, Index of, const Dataset& data,
-                                      const TermLibrary& library, Index period,
-                                      const RunContext& context);
+Refinement with_a_term_of_trajectories(Refinement fit, Index of, const Dataset& data,
+                                       const TermLibrary& library, Index period,
+                                       const RunContext& context);
 
 /// Whether a model follows the records over a period: in shorter windows, each with a hidden
 /// state of its own, many models do.
@@ -47,7 +47,7 @@ bool spans(const Refinement& fit, Index period);
 /// Whether nothing but noise is left in windows of a period.
 bool is_explained(const Refinement& fit, Index period);
 
-/// Whether what is left of a state is that of digits and steps.
+/// Whether the residual of a state is that of digits and steps.
 bool is_clean(const Refinement& fit, const ResidualStatistics& residual);
 
 /// Whether nothing but noise, or digits and steps, is left of a state.

@@ -257,7 +257,7 @@ HiddenIdentification identify_hidden(const Dataset& data, const Pipeline& pipeli
   const Index period = fits.best->period;
   Refinement& fit = fits.best->fit;
   const TermLibrary library = pipeline.basis->library(fit.model.symbolic().variables());
-  fit = with_terms_of_trajectories(std::move(fit), of, data, library, period, context);
+  fit = with_a_term_of_trajectories(std::move(fit), of, data, library, period, context);
   IdentificationResult result = std::move(fits.best->derivative.result);
   const double noise = result.noise[of];
   result.model = fit.fitted();
