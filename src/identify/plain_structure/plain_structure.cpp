@@ -161,8 +161,8 @@ class PlainSearch {
     return all;
   }
 
-  FreeRun run(const SystemModel& system, bool rough = true) const {
-    return free_run(system, data_, noise_, context_, rough);
+  FreeRun run(const SystemModel& system) const {
+    return free_run(system, data_, noise_, context_);
   }
   bool is_late() const { return context_.is_late(); }
   bool are_worth(const FreeRun& more, const FreeRun& fewer) const {
@@ -340,32 +340,6 @@ std::optional<FreeRun> extended(const PlainSearch& search, const FreeRun& best) 
              : std::nullopt;
 }
 
-/// An expression with dry friction of a width as a jump.
-Expression with_jump(const Expression& form, const std::string& width) {
-  if (form.operation() != Operation::Tanh || !form.variables().contains(width)) return form;
-  return Expression::make(Operation::Sign, {form.operands()[0].operands()[0]});
-}
-
-/// The best of a structure and the same with jumps in the place of narrow slopes, which fits
-/// only find from numbers that are nearly right.
-FreeRun with_jumps(const PlainSearch& search, FreeRun best) {
-  if (best.system.parameters().empty()) return best;
-  if (FreeRun finer = search.run(best.system, false); finer.deviance < best.deviance)
-    best = std::move(finer);
-  for (const Parameter& width : std::vector<Parameter>(best.system.parameters())) {
-    if (search.is_late()) break;
-    std::vector<Equation> equations = best.system.symbolic().equations();
-    for (Equation& equation : equations)
-      for (WeightedTerm& summand : equation)
-        summand.term = Term(with_jump(summand.term.expression(), width.name),
-                            best.system.symbolic().variables());
-    FreeRun jump = search.run(
-        system_with(best.system, std::move(equations), best.system.parameters()), false);
-    if (jump.is_finite() && !search.are_worth(best, jump)) best = std::move(jump);
-  }
-  return best;
-}
-
 /// The search from one structure; nothing where that has no finite run.
 std::optional<FreeRun> searched_from(const PlainSearch& search, const SystemModel& start) {
   constexpr int kRounds = 4;  // a bound of the work: what takes more terms is not plain
@@ -378,7 +352,7 @@ std::optional<FreeRun> searched_from(const PlainSearch& search, const SystemMode
     if (!next) break;
     best = pruned(search, *std::move(next));
   }
-  return with_jumps(search, pruned(search, std::move(best)));
+  return pruned(search, std::move(best));
 }
 
 }  // namespace
