@@ -3,8 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <initializer_list>
 #include <string>
 
+#include "core/base/random.hpp"
 #include "hidden/support/case_builder.hpp"
 #include "hidden/support/records.hpp"
 #include "hidden/support/score.hpp"
@@ -153,6 +155,43 @@ TEST(Machine, AProductThatSlowsItsReaction) {
     EXPECT_NEAR(strength.value, 1.2, 4.0 * strength.deviation.value());
     EXPECT_LT(strength.deviation.value(), 0.6);
   }
+}
+
+/// dw/dt = -a sign(w) - c w abs(w) before it comes to rest, solved exactly.
+Dataset runs_out(std::initializer_list<double> speeds, unsigned seed) {
+  constexpr double kDry = 0.9, kDrag = 0.0007, kStep = 0.1, kNoise = 0.02;
+  constexpr Index kRows = 250;
+  Random random(seed);
+  Dataset data;
+  data.states = {{"w", "rad/s"}};
+  data.time_unit = "s";
+  for (const double start : speeds) {
+    Trajectory record;
+    record.time = Vector::LinSpaced(kRows, 0.0, kStep * (kRows - 1));
+    record.states.resize(kRows, 1);
+    for (Index i = 0; i < kRows; ++i)
+      record.states(i, 0) = std::copysign(std::sqrt(kDry / kDrag), start) *
+                                std::tan(std::atan(std::abs(start) * std::sqrt(kDrag / kDry)) -
+                                         std::sqrt(kDry * kDrag) * record.time[i]) +
+                            kNoise * random.normal();
+    data.trajectories.push_back(std::move(record));
+  }
+  return data;
+}
+
+/// A cube explains more by itself than either of the two.
+TEST(Machine, DryFrictionAndDragInThePlaceOfASlope) {
+  const OdeModel nominal = model_of("s", {{"w", "rad/s"}}, {}, {{{"w", -0.06}}});
+  const Diagnosis found =
+      diagnosis_of(nominal, runs_out({110.0, -75.0, 50.0}, 1), runs_out({95.0, -60.0}, 2));
+  ASSERT_EQ(found.effects.size(), 2u) << in_one_line(found);
+  for (const NamedEffect& effect : found.effects) {
+    const bool is_dry = effect.name == "coulomb-friction";
+    EXPECT_TRUE(is_dry || effect.name == "quadratic-drag") << in_one_line(found);
+    const double truth = is_dry ? -0.9 : -0.0007;
+    EXPECT_NEAR(effect.coefficient, truth, 0.02 * std::abs(truth)) << effect.name;
+  }
+  EXPECT_EQ(found.verdict, Verdict::Explained) << in_one_line(found);
 }
 
 }  // namespace

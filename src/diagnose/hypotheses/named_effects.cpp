@@ -79,14 +79,24 @@ std::vector<Candidate> doubted_forms(const Problem& problem, const CompositeMode
   return result;
 }
 
-/// Searches that may come to other effects than the best composite model: without each of its
-/// special forms that may stand for what is missing; where states are hidden, among all functions
-/// of the arguments that it has, along its path, which is nearer to the truth than the one from
-/// which its forms were chosen.
+/// Searches that may come to other effects than the best composite model: among plain forms
+/// alone and without the first, for two of them may be the truth of which one that lies between
+/// explains most by itself; without each of its
+/// special forms that may stand for what is missing; where states are hidden, among all
+/// functions of the arguments that it has, along its path, which is nearer to the truth than
+/// the one from which its forms were chosen.
 std::vector<EffectSearch> other_searches(const EffectSearch& search,
                                          const CompositeModel& best) {
   std::vector<EffectSearch> others;
-  for (Candidate& doubted : doubted_forms(search.problem, best)) {
+  std::vector<Candidate> all_doubted = doubted_forms(search.problem, best);
+  if (!all_doubted.empty() ||
+      has_residual_structure(best.left, search.problem.options.decision)) {
+    others.push_back(search);
+    others.back().only_plain = true;
+    const Candidate& first = best.explanation.effects.front().candidate;
+    if (first.intricacy() == 0) others.back().without.push_back(first);
+  }
+  for (Candidate& doubted : all_doubted) {
     others.push_back(search);
     others.back().without.push_back(std::move(doubted));
   }

@@ -17,6 +17,7 @@ struct EffectSearch {
   const std::vector<Stage<Effect>>& effects;  ///< that are tried
   /// Forms that are not, nor what the same effects propose in their places that is no plainer.
   std::vector<Candidate> without = {};
+  bool only_plain = false;  ///< forms without shapes and memory
   /// Where states are hidden: the first effect is sought among the functions of the arguments
   /// that this has, along its path; it has no memory.
   const Explanation* along = nullptr;

@@ -89,6 +89,7 @@ std::vector<Candidate> all_candidates(const EffectSearch& search, const Explanat
   std::vector<Candidate> result;
   const std::vector<std::string> taken = current.fit.model.variables().names();
   const auto is_shut_out = [&](const Candidate& candidate) {
+    if (search.only_plain && candidate.intricacy() > 0) return true;
     return std::any_of(
         search.without.begin(), search.without.end(), [&](const Candidate& other) {
           return in_one_place(other, candidate) && candidate.intricacy() >= other.intricacy() &&
