@@ -384,6 +384,22 @@ std::vector<std::string> doubts_of(const Problem& problem, const Judged& judged,
   return doubts;
 }
 
+/// A gap that the model as it was given leaves.
+Gap as_given(Gap gap) {
+  gap.after = gap.before;
+  gap.free_after = gap.free_before;
+  for (GapRecord& record : gap.runs) record.after = record.before;
+  return gap;
+}
+
+/// Whether fitted coefficients beside what has no name make other records worse: then they make
+/// up for it in the records that were used, and the model stays as it was given.
+bool stays_as_given(Verdict verdict, const CompositeModel& best,
+                    const std::optional<Gap>& gap) {
+  return verdict == Verdict::UnnamedStructure && best.named.empty() && best.findings.empty() &&
+         gap && gap->after > gap->before;
+}
+
 }  // namespace
 
 Diagnosis make_answer(const Problem& problem, Judged judged, std::optional<Gap> gap,
@@ -400,16 +416,27 @@ Diagnosis make_answer(const Problem& problem, Judged judged, std::optional<Gap> 
   const bool open = !equations_turned_off(problem, best).empty() ||
                     (gap && (stays_open(*gap, problem.options.decision) ||
                              runs_away(*gap, problem.options.decision)));
+  const Verdict verdict = after_holdout(alone, open, lower);
+  const bool unchanged = stays_as_given(verdict, best, gap);
+  if (unchanged) {
+    gap = as_given(*std::move(gap));
+    doubts = doubts_of(problem, judged, gap, evaluation);
+    doubts.push_back(
+        "coefficients fitted beside what has no name make these records worse: they stay as "
+        "given");
+  }
   Diagnosis result{
-      .verdict = after_holdout(alone, open, lower),
+      .verdict = verdict,
       .nominal = problem.nominal,
       .disagreement = locate(base.given, problem.context),
       .effects = std::move(best.named),
       .coefficient_changes =
-          coefficient_changes(problem.nominal, fit, base.fit_options.free.size()),
+          unchanged ? std::vector<CoefficientChange>{}
+                    : coefficient_changes(problem.nominal, fit, base.fit_options.free.size()),
       .gap = std::move(gap),
       .remaining = remaining_of(best, problem.options.decision),
-      .augmented = alone == Verdict::NoDiscrepancy ? problem.nominal : with_intervals(fit),
+      .augmented =
+          unchanged || alone == Verdict::NoDiscrepancy ? problem.nominal : with_intervals(fit),
       .noise = fit.noise,
       .rounds = std::move(best.rounds),
       .rivals = std::move(judged.trail),

@@ -316,6 +316,25 @@ TEST_F(Answer, WhatStaysOpenOnOtherRecordsIsStructureWithoutAName) {
             Verdict::NoDiscrepancy);
 }
 
+TEST_F(Answer, CoefficientsBesideWhatHasNoNameStayWhereOthersGetWorse) {
+  const auto with_gap = [&](double after) {
+    CompositeModel judged = nameless(5.0);
+    OdeModel& model = judged.explanation.fit.model;
+    std::vector<Equation> equations = model.equations();
+    for (WeightedTerm& summand : equations[1]) summand.coefficient *= 1.5;
+    model = model.with_equations(std::move(equations));
+    return make_answer(asked_.problem(), {judged}, gap(10.0, after), {});
+  };
+  const Diagnosis worse = with_gap(14.0), better = with_gap(7.0);
+  EXPECT_EQ(worse.verdict, Verdict::UnnamedStructure);
+  EXPECT_EQ(worse.gap->after, 10.0);
+  EXPECT_EQ(worse.augmented.coefficient(1, "q"), -4.0);
+  EXPECT_TRUE(worse.coefficient_changes.empty());
+  EXPECT_NE(worse.notes.back().find("stay as given"), std::string::npos) << worse.notes.back();
+  EXPECT_EQ(better.gap->after, 7.0);
+  EXPECT_NEAR(better.augmented.coefficient(1, "q"), -6.0, 0.01);
+}
+
 TEST_F(Answer, AModelWhoseHiddenEquationIsTurnedOffLacksStructure) {
   EXPECT_EQ(answer(support::turned_off(nameless(0.0), 1)).verdict, Verdict::UnnamedStructure);
   EXPECT_EQ(answer(support::turned_off(composite("sign(v)"), 1)).verdict,
