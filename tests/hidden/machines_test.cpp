@@ -114,6 +114,40 @@ TEST(Machine, AnActuatorsPoleStandsBeforeItsCurve) {
   EXPECT_LT(pole.deviation.value(), 0.01);
 }
 
+/// A soft limit at the starts of the search is nearer to this one than a hard one.
+TEST(Machine, AStageThatLimitsHardAndEarly) {
+  const HiddenCase made =
+      CaseBuilder("stage", "A filter whose second stage limits",
+                  machine({{"x", "V"}, {"y", "V"}},
+                          {{{"u", 2.0}, {"x", -0.5}, {"y", -2.0}}, {{"x", 2.0}, {"y", -0.4}}},
+                          Vector{{0.1, 0.0}}, kSwings))
+          .hide({"y", {"saturation"}, {}, "x-clip(x,-1.1,1.1)", -2.0})
+          .build();
+  const Records records = make_records(made, 0.005, 9705);
+  const Diagnosis found = diagnosis_of(made.nominal, records.find, records.check);
+  ASSERT_EQ(found.effects.size(), 1u) << in_one_line(found);
+  EXPECT_EQ(found.effects[0].name, "saturation") << in_one_line(found);
+  EXPECT_NEAR(found.effects[0].parameters.at(0).value, 1.1, 0.02);
+}
+
+/// A wall that forgets where it began in no half of a record.
+TEST(Machine, AStoreThatFillsSlowly) {
+  const HiddenCase made =
+      CaseBuilder("wall", "A room with a wall behind it",
+                  machine({{"T", "K"}}, {{{"u", 1.0}, {"T", -0.5}}}, Vector{{3.0}}, kSwings))
+          .hidden_states({{"wall", {{"T", 0.25}, {"wall", -0.25}}}})
+          .hide({"T", {"extra-state"}, {}, "wall-T", 0.4})
+          .build();
+  const Records records = make_records(made, 0.005, 9706);
+  const Diagnosis found = diagnosis_of(made.nominal, records.find, records.check);
+  ASSERT_EQ(found.effects.size(), 1u) << in_one_line(found);
+  EXPECT_EQ(found.effects[0].name, "extra-state") << in_one_line(found);
+  EXPECT_NEAR(found.effects[0].coefficient, 0.4, 4.0 * found.effects[0].deviation);
+  const NamedParameter& constant = found.effects[0].parameters.at(0);
+  EXPECT_NEAR(constant.value, 4.0, 4.0 * constant.deviation.value());
+  EXPECT_LT(constant.deviation.value(), 0.6);
+}
+
 TEST(Machine, TheInstantAndBothValuesOfWhatChangesAreGiven) {
   const Fault fault = weaker_drive();
   const HiddenCase made = CaseBuilder(fault.label, fault.label, fault.plant)

@@ -101,8 +101,10 @@ double bridging_density(const Assimilation& from, Index equation) {
   return density;
 }
 
-/// Where an effect is not known yet its equation has the disturbance that it has without it.
-/// @return whether every effect is known in the second half of each record.
+/// Where an effect is not known yet its equation has the disturbance that it has without it. A
+/// memory that forgets no sooner than in the middle of a record, as a store that fills slowly,
+/// is estimated with where it began, which the smoother does not know beforehand.
+/// @return whether every effect is known at last in each record.
 bool bridge(const Assimilation& from, const OdeModel& nominal,
             const std::vector<FittedEffect>& effects, AugmentedProblem& problem) {
   problem.bridges.assign(problem.data.trajectories.size(), Matrix());
@@ -116,8 +118,8 @@ bool bridge(const Assimilation& from, const OdeModel& nominal,
       if (candidate.place == Place::Channel || candidate.is_driven()) continue;
       const auto known =
           known_from(candidate, as_span(effect.shapes), nominal.variables(), grid);
-      if (!known || *known > middle) return false;
-      if (*known <= record.time[0]) continue;
+      if (!known) return false;
+      if (*known > middle || *known <= record.time[0]) continue;
       Matrix& bridge = problem.bridges[r];
       if (bridge.size() == 0)
         bridge = Matrix::Zero(problem.model.dimension(), record.samples() - 1);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <iterator>
 #include <optional>
 #include <utility>
 
@@ -310,6 +311,29 @@ void add_late_inputs(const EffectSearch& search, const Explanation& current,
           judged(search, current, *std::move(fit), static_cast<double>(list.screened)));
 }
 
+/// Fits other forms of the same effect as the best exactly: at their starts, where they were
+/// screened, a soft limit may be nearer to a hard one that lies far away than that itself.
+void add_siblings(const EffectSearch& search, const Explanation& current, const ShortList& list,
+                  std::vector<RankedEffect>& effects) {
+  if (effects.empty()) return;
+  std::vector<const ScreenedCandidate*> siblings;
+  for (const ScreenedCandidate& one : list.siblings)
+    if (are_siblings(one.candidate, effects.front().effect().candidate))
+      siblings.push_back(&one);
+  const RunContext& context = search.problem.context;
+  const RunContext quiet = context.beside_others();
+  const Problem problem = alone(search.problem, quiet);
+  std::vector<RankedEffect> fitted =
+      fitted_in_parallel(siblings.size(), context.threads, [&](std::size_t i) {
+        std::vector<FittedEffect> with = current.effects;
+        with.push_back(
+            {siblings[i]->candidate, siblings[i]->shapes, siblings[i]->coefficient, 0.0});
+        return judged(search, current, explain_on(problem, search.base, current.fit, with),
+                      static_cast<double>(list.screened));
+      });
+  std::move(fitted.begin(), fitted.end(), std::back_inserter(effects));
+}
+
 /// Fits the best of a rough ranking exactly.
 std::vector<RankedEffect> rank_exactly(const EffectSearch& search, const Explanation& current,
                                        const Requirements& required, RoughRanking rough,
@@ -327,10 +351,15 @@ std::vector<RankedEffect> rank_exactly(const EffectSearch& search, const Explana
       });
   std::move(fitted.begin(), fitted.end(), rough.effects.begin());
   add_late_inputs(search, current, list, rough.effects);
-  std::erase_if(rough.effects, [&](const RankedEffect& ranked) {
-    return !required.sound(ranked) || !required.plausible(ranked);
-  });
-  sort_by_criterion(rough.effects);
+  const auto settle = [&] {
+    std::erase_if(rough.effects, [&](const RankedEffect& ranked) {
+      return !required.sound(ranked) || !required.plausible(ranked);
+    });
+    sort_by_criterion(rough.effects);
+  };
+  settle();
+  add_siblings(search, current, list, rough.effects);
+  settle();
   return std::move(rough.effects);
 }
 

@@ -133,6 +133,11 @@ class Shares {
 
 }  // namespace
 
+bool are_siblings(const Candidate& a, const Candidate& b) {
+  return in_one_place(a, b) && a.within == b.within && are_of_one_family(a, b) &&
+         a.shapes.size() == b.shapes.size() && a.memory.size() == b.memory.size();
+}
+
 std::vector<ScreenedCandidate> worth_fitting(const std::vector<ScreenedCandidate>& screened,
                                              const DecisionOptions& decision, int at_least) {
   std::vector<ScreenedCandidate> result;
@@ -155,8 +160,23 @@ namespace {
 void append(const std::vector<ScreenedCandidate>& screened, const DecisionOptions& decision,
             std::shared_ptr<const Assimilation> start, ShortList& list) {
   const int at_least = start ? decision.start_fits : 0;
-  for (ScreenedCandidate& candidate : worth_fitting(screened, decision, at_least))
-    list.candidates.push_back({std::move(candidate), start});
+  const std::vector<ScreenedCandidate> taken = worth_fitting(screened, decision, at_least);
+  const auto is_beside_one = [&](const ScreenedCandidate& candidate) {
+    return std::any_of(taken.begin(), taken.end(), [&](const ScreenedCandidate& one) {
+      return are_siblings(one.candidate, candidate.candidate);
+    });
+  };
+  const auto is_taken = [&](const ScreenedCandidate& candidate) {
+    return std::any_of(taken.begin(), taken.end(), [&](const ScreenedCandidate& one) {
+      return are_one_form(one.candidate, candidate.candidate);
+    });
+  };
+  for (const ScreenedCandidate& candidate : screened)
+    if (!start && candidate.gain >= decision.worth_fitting * screened.front().gain &&
+        is_beside_one(candidate) && !is_taken(candidate))
+      list.siblings.push_back(candidate);
+  for (const ScreenedCandidate& candidate : taken)
+    list.candidates.push_back({candidate, start});
   list.screened += static_cast<Index>(screened.size());
   for (const ScreenedCandidate& candidate : screened) list.tried += candidate.tried;
 }

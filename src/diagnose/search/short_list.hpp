@@ -19,9 +19,15 @@ struct Listed {
 /// Candidates that are to be fitted, and how many were screened.
 struct ShortList {
   std::vector<Listed> candidates;
+  /// Forms of the same effect and argument as one of these, which screening puts behind it:
+  /// they are fitted where that one is the best.
+  std::vector<ScreenedCandidate> siblings = {};
   Index screened = 0;
   Index tried = 0;  ///< with all shapes
 };
+
+/// Whether two candidates are forms of one argument that the same effect proposes.
+bool are_siblings(const Candidate& a, const Candidate& b);
 
 /// The best of each family and equation in the order of a screening: those that may be
 /// significant and that are not far behind the best, whose lead only grows by an exact fit.
