@@ -1,4 +1,4 @@
-"""Solved problems from one list: the page docs/gallery.md and its pictures.
+"""Solved problems from two lists: docs/gallery.md, the examples of docs/machines.md, pictures.
 
 Each problem has models of a few lines, commands, the lines of the answer that are shown and one of
 the pictures that the last command draws. Answers and pictures are those of the program; a test of
@@ -159,6 +159,85 @@ PROBLEMS = [
 ]
 
 
+def machine(title, truth, nominal_model, begin, end, step, noise, picture, caption):
+    """An example of docs/machines.md: a machine that is simulated, and its first model."""
+    (name, law), (short, model) = truth, nominal_model
+    record = name.replace(".ode", ".csv")
+    return Problem(
+        title, "", {name: law, short: model},
+        [RECORD.format(name, begin, end, step, noise, record),
+         f"lacuna diagnose --model {short} {record}"],
+        ["^Equation", "^On records"], picture, caption)
+
+
+DRIVE = "2*sin(1.1*t) + sin(2.7*t)"
+
+MACHINES = [
+    machine(
+        "Robot joint, geared servo",
+        ("arm.ode", "state q [rad]\nstate w [rad/s]\ndq/dt = w\n"
+         f"dw/dt = 3*({DRIVE}) - 9*sin(q) - 0.4*w - 0.8*tanh(w/0.05)\ni = {DRIVE} [A]\n"),
+        ("joint.ode", "time s\ninput i [A] hold smooth\nstate q [rad]\nstate w [rad/s]\n"
+         "dq/dt = w\ndw/dt = 3*i - 9*sin(q) - 0.4*w\n"),
+        "0.3,0", 40, 0.02, "q=0.003,w=0.01", "deviation_w",
+        "Measured speed minus model: the nominal one, and with dry friction"),
+    machine(
+        "Propeller, fan, valve",
+        ("rotor.ode", "state th [rad]\nstate w [rad/s]\ndth/dt = w\n"
+         "dw/dt = 6*(1 + 0.4*(64*sin(1.1*t) - 8.8*cos(1.1*t))/65.21"
+         " + 0.3*(64*sin(3.7*t) - 29.6*cos(3.7*t))/77.69)^2 - 30*sin(th) - 0.8*w\n"
+         "u = 1 + 0.4*sin(1.1*t) + 0.3*sin(3.7*t) [V]\n"),
+        ("propeller.ode", "time s\ninput u [V] hold smooth\nstate th [rad]\n"
+         "state w [rad/s]\ndth/dt = w\ndw/dt = 6*u^2 - 30*sin(th) - 0.8*w\n"),
+        "0.2,0", 40, 0.02, "th=0.002,w=0.01", "deviation_th",
+        "Measured angle minus model: the nominal one, and with a rotor that has to speed up"),
+    machine(
+        "Heater, room, oven",
+        ("oven.ode", "time min\nstate T [degC]\ndT/dt = 0.6 + 0.4*sin(0.21*t)"
+         " + 0.3*sin(0.057*t) - 0.05*(T - 18) - 0.5*clip(t - 200, 0, 1)\n"
+         "P = 6 + 4*sin(0.21*t) + 3*sin(0.057*t) [kW]\n"),
+        ("heater.ode", "time min\ninput P [kW] hold smooth\nstate T [degC]\n"
+         "dT/dt = 0.1*P - 0.05*(T - 18)\n"),
+        "24", 400, 0.5, "T=0.02", "deviation_T",
+        "Measured temperature minus model: the nominal one, and with a door that opens"),
+    machine(
+        "Tank, vessel",
+        ("vessel.ode", "state h [m]\ndh/dt = 0.02 + 0.015*sin(0.05*t) + 0.012*sin(0.017*t)"
+         " - 0.02*sqrt(h) - 0.05*max(h - 1.5, 0)\n"
+         "u = 2 + 1.5*sin(0.05*t) + 1.2*sin(0.017*t) [V]\n"),
+        ("tank.ode", "time s\ninput u [V] hold smooth\nstate h [m]\n"
+         "dh/dt = 0.01*u - 0.02*sqrt(h)\n"),
+        "1", 1200, 1, "h=0.003", "deviation_h",
+        "Measured level minus model: the nominal one, and with the overflow"),
+    machine(
+        "Reactor, cell culture",
+        ("enzyme.ode", "time min\nstate S [mM]\nstate P [mM]\n"
+         "dS/dt = 0.5 + 0.4*sin(0.3*t) - 1.5*S/(2 + S + 1.2*P)\n"
+         "dP/dt = 1.5*S/(2 + S + 1.2*P) - 0.4*P\nfeed = 0.5 + 0.4*sin(0.3*t) [mM/min]\n"),
+        ("reactor.ode", "time min\ninput feed [mM/min] hold smooth\nstate S [mM]\n"
+         "state P [mM]\ndS/dt = feed - 1.5*S/(2 + S)\ndP/dt = 1.5*S/(2 + S) - 0.4*P\n"),
+        "1,0.5", 150, 0.25, "S=0.005,P=0.005", "deviation_S",
+        "Measured substrate minus model: the nominal one, and with a product that inhibits"),
+    machine(
+        "Circuit",
+        ("stage.ode", "time ms\nstate x [V]\nstate y [V]\n"
+         "dx/dt = 4*sin(1.3*t) + 2*sin(0.31*t) - 0.5*x - 2*y\n"
+         "dy/dt = 2*clip(x, -1.5, 1.5) - 0.4*y\nu = 2*sin(1.3*t) + sin(0.31*t) [V]\n"),
+        ("filter.ode", "time ms\ninput u [V] hold smooth\nstate x [V]\nstate y [V]\n"
+         "dx/dt = 2*u - 0.5*x - 2*y\ndy/dt = 2*x - 0.4*y\n"),
+        "0,0", 60, 0.02, "x=0.01,y=0.01", "deviation_y",
+        "Measured voltage minus model: the nominal one, and with a stage that limits"),
+    machine(
+        "Cart, stage",
+        ("rail.ode", "state x [m]\nstate v [m/s]\ndx/dt = v\n"
+         f"dv/dt = {DRIVE} - 2*x - 0.5*v - 12*max(x - 0.8, 0)\nF = {DRIVE} [m/s^2]\n"),
+        ("cart.ode", "time s\ninput F [m/s^2] hold smooth\nstate x [m]\nstate v [m/s]\n"
+         "dx/dt = v\ndv/dt = F - 2*x - 0.5*v\n"),
+        "0,0", 40, 0.02, "x=0.003,v=0.01", "deviation_x",
+        "Measured place minus model: the nominal one, and with an end stop"),
+]
+
+
 def run(command, folder, program):
     """What a command prints."""
     typed = command.replace("lacuna ", f"'{program}' ", 1)
@@ -195,13 +274,13 @@ def slug(title):
     return re.sub("[^a-z]+", "_", title.lower()).strip("_")
 
 
-def section(problem, shown):
+def section(problem, shown, folder):
     """The part of the page on a problem."""
-    lines = [f"## {problem.title}", "", problem.question, ""]
+    lines = []
     for name, text in problem.models.items():
         lines += [f"```ode {name}", *text.strip().splitlines(), "```", ""]
     lines += ["```sh", *problem.commands, "```", "", "```text", *shown, "```", ""]
-    return lines + [f"![{problem.caption}](pictures/gallery/{slug(problem.title)}.svg)", ""]
+    return lines + [f"![{problem.caption}](pictures/{folder}/{slug(problem.title)}.svg)", ""]
 
 
 HEAD = """# Gallery
@@ -212,24 +291,49 @@ one list; a test (`tests/integration/pages_test.cpp`) runs every block of it.
 """
 
 
-def main(program, part):
-    """Writes the page and its pictures, or shows the answers of some problems."""
+def shown_of(problem, pictures, program):
+    """Runs a problem and keeps its picture, where there is a folder for it: the answer."""
+    with tempfile.TemporaryDirectory() as name:
+        begin = time.time()
+        shown = answer(problem, solved(problem, Path(name), program))
+        print(f"{problem.title}: {time.time() - begin:.1f} s", *shown, sep="\n")
+        if pictures:
+            pictures.mkdir(exist_ok=True)
+            shutil.copy(Path(name) / "plots" / f"{problem.picture}.svg",
+                        pictures / f"{slug(problem.title)}.svg")
+    return shown
+
+
+def write_gallery(program):
     page = HEAD.splitlines() + [""]
-    pictures = ROOT / "docs/pictures/gallery"
     for problem in PROBLEMS:
-        if part not in problem.title:
-            continue
-        with tempfile.TemporaryDirectory() as name:
-            begin = time.time()
-            printed = solved(problem, Path(name), program)
-            shown = answer(problem, printed)
-            print(f"{problem.title}: {time.time() - begin:.1f} s", *shown, sep="\n")
-            if not part:
-                picture = f"{slug(problem.title)}.svg"
-                shutil.copy(Path(name) / "plots" / f"{problem.picture}.svg", pictures / picture)
-        page += section(problem, shown)
+        shown = shown_of(problem, ROOT / "docs/pictures/gallery", program)
+        page += [f"## {problem.title}", "", problem.question, ""]
+        page += section(problem, shown, "gallery")
+    (ROOT / "docs/gallery.md").write_text("\n".join(page).rstrip() + "\n")
+
+
+def write_machines(program):
+    """The examples of docs/machines.md, each behind the table of its machine."""
+    page = ROOT / "docs/machines.md"
+    for problem in MACHINES:
+        shown = shown_of(problem, ROOT / "docs/pictures/machines", program)
+        before, heading, rest = page.read_text().partition(f"\n## {problem.title}\n")
+        own, following, others = rest.partition("\n## ")
+        own = own.partition("\nAn example:\n")[0].rstrip("\n") + "\n"
+        example = "\n".join(["", "An example:", "", *section(problem, shown, "machines")])
+        page.write_text(before + heading + own + example + following + others)
+
+
+def main(program, part):
+    """Writes the pages and their pictures, or shows the answers of some problems."""
     if not part:
-        (ROOT / "docs/gallery.md").write_text("\n".join(page).rstrip() + "\n")
+        write_gallery(program)
+        write_machines(program)
+        return
+    for problem in [*PROBLEMS, *MACHINES]:
+        if part in problem.title:
+            shown_of(problem, None, program)
 
 
 if __name__ == "__main__":

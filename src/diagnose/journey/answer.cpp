@@ -14,6 +14,7 @@
 #include "diagnose/hypotheses/coloured_noise.hpp"
 #include "diagnose/hypotheses/input_noise.hpp"
 #include "diagnose/hypotheses/shared_process.hpp"
+#include "found_verdict.hpp"
 #include "identifiability.hpp"
 #include "reservations.hpp"
 #include "trajectories/smoother/timing_jitter.hpp"
@@ -36,46 +37,6 @@ std::string list_of_names(const CompositeModel& composite, const OdeModel& nomin
   for (const auto* all : {&composite.named, &composite.findings})
     for (const NamedEffect& effect : *all) names.push_back(name_of(effect, nominal));
   return join(names, ", ");
-}
-
-/// Whether a model stands for the nominal one, which has no finite solution on the records.
-bool is_replaced(const OdeModel& given, const OdeModel& nominal) {
-  for (std::size_t k = 0; k < nominal.equations().size(); ++k)
-    for (std::size_t j = 0; j < nominal.equations()[k].size(); ++j)
-      if (given.equations()[k][j].coefficient != nominal.equations()[k][j].coefficient)
-        return true;
-  return false;
-}
-
-/// Whether the fit of the coefficients is a significant gain, and of the size of an effect in
-/// some equation.
-bool coefficients_off(const Problem& problem, const Baseline& base) {
-  const double gain = base.given.deviance - base.fitted.deviance;
-  const auto free = static_cast<double>(base.fit_options.free.size()) -
-                    static_cast<double>(base.fitted.held.cols());
-  const DecisionOptions& decision = problem.options.decision;
-  const bool gains = sigma_of_gain(gain, free, 1.0) >= decision.significance ||
-                     is_replaced(base.given.model, problem.nominal);
-  return gains &&
-         largest_rate_change(problem.nominal, base.fitted) >= decision.effect_size;
-}
-
-Verdict verdict_of(const Problem& problem, const CompositeModel& composite) {
-  const bool left = leaves_structure(composite, problem.options.decision);
-  if (!composite.named.empty() || !composite.findings.empty())
-    return left ? Verdict::PartlyExplained : Verdict::Explained;
-  if (left) return Verdict::UnnamedStructure;
-  return coefficients_off(problem, *composite.base) ? Verdict::CoefficientsOnly
-                                                    : Verdict::NoDiscrepancy;
-}
-
-/// The verdict after the holdout evaluation: what stays open there is structure that has no
-/// name, whatever the records that were used show.
-Verdict after_holdout(Verdict verdict, bool is_open, bool is_doubted) {
-  const bool nothing_missing =
-      verdict == Verdict::NoDiscrepancy || verdict == Verdict::CoefficientsOnly;
-  if (nothing_missing && is_open) return Verdict::UnnamedStructure;
-  return is_doubted ? Verdict::PartlyExplained : verdict;
 }
 
 Remaining remaining_of(const CompositeModel& composite, const DecisionOptions& decision) {
@@ -370,36 +331,6 @@ void set_minor_apart(const DecisionOptions& decision, Diagnosis& result) {
   all.erase(minor, all.end());
 }
 
-/// What is against names: reservations(), what other records have to say, and what may stand in
-/// their place and was not judged.
-std::vector<std::string> doubts_of(const Problem& problem, const Judged& judged,
-                                   const std::optional<Gap>& gap,
-                                   const HoldoutEvaluation& evaluation) {
-  std::vector<std::string> doubts = reservations(problem, judged.best, gap);
-  if (evaluation.lower && !evaluation.note.empty())
-    doubts.insert(doubts.begin(), evaluation.note);
-  const bool is_named = !judged.best.named.empty() || !judged.best.findings.empty();
-  if (is_named && !left_out_line(judged.stages).empty())
-    doubts.push_back("not all that may stand in the place of what is named was judged");
-  return doubts;
-}
-
-/// A gap that the model as it was given leaves.
-Gap as_given(Gap gap) {
-  gap.after = gap.before;
-  gap.free_after = gap.free_before;
-  for (GapRecord& record : gap.runs) record.after = record.before;
-  return gap;
-}
-
-/// Whether fitted coefficients beside what has no name make other records worse: then they make
-/// up for it in the records that were used, and the model stays as it was given.
-bool stays_as_given(Verdict verdict, const CompositeModel& best,
-                    const std::optional<Gap>& gap) {
-  return verdict == Verdict::UnnamedStructure && best.named.empty() && best.findings.empty() &&
-         gap && gap->after > gap->before;
-}
-
 }  // namespace
 
 Diagnosis make_answer(const Problem& problem, Judged judged, std::optional<Gap> gap,
@@ -407,44 +338,30 @@ Diagnosis make_answer(const Problem& problem, Judged judged, std::optional<Gap> 
   CompositeModel& best = judged.best;
   const Baseline& base = *best.base;
   const Assimilation& fit = best.explanation.fit;
-  const Verdict alone = verdict_of(problem, best);
-  std::vector<std::string> doubts = doubts_of(problem, judged, gap, evaluation);
   const std::vector<std::string> inputs =
       notes_on(problem, noisy_inputs(problem, best.explanation.fit));
-  const bool lower = evaluation.lower || (alone == Verdict::Explained &&
-                                          !(doubts.empty() && best.twins.empty()));
-  const bool open = !equations_turned_off(problem, best).empty() ||
-                    (gap && (stays_open(*gap, problem.options.decision) ||
-                             runs_away(*gap, problem.options.decision)));
-  const Verdict verdict = after_holdout(alone, open, lower);
-  const bool unchanged = stays_as_given(verdict, best, gap);
-  if (unchanged) {
-    gap = as_given(*std::move(gap));
-    doubts = doubts_of(problem, judged, gap, evaluation);
-    doubts.push_back(
-        "coefficients fitted beside what has no name make these records worse: they stay as "
-        "given");
-  }
-  Diagnosis result{
-      .verdict = verdict,
-      .nominal = problem.nominal,
-      .disagreement = locate(base.given, problem.context),
-      .effects = std::move(best.named),
-      .coefficient_changes =
-          unchanged ? std::vector<CoefficientChange>{}
-                    : coefficient_changes(problem.nominal, fit, base.fit_options.free.size()),
-      .gap = std::move(gap),
-      .remaining = remaining_of(best, problem.options.decision),
-      .augmented =
-          unchanged || alone == Verdict::NoDiscrepancy ? problem.nominal : with_intervals(fit),
-      .noise = fit.noise,
-      .rounds = std::move(best.rounds),
-      .rivals = std::move(judged.trail),
-      .notes = base.notes,
-      .unnamed = std::move(best.unnamed),
-      .hints = {},
-      .adequacy = {},
-      .stages = std::move(judged.stages)};
+  FoundVerdict found = found_verdict(problem, judged, std::move(gap), evaluation);
+  Diagnosis result{.verdict = found.verdict,
+                   .nominal = problem.nominal,
+                   .disagreement = locate(base.given, problem.context),
+                   .effects = std::move(best.named),
+                   .coefficient_changes =
+                       found.stays_as_given ? std::vector<CoefficientChange>{}
+                                            : coefficient_changes(problem.nominal, fit,
+                                                                  base.fit_options.free.size()),
+                   .gap = std::move(found.gap),
+                   .remaining = remaining_of(best, problem.options.decision),
+                   .augmented = found.stays_as_given || found.alone == Verdict::NoDiscrepancy
+                                    ? problem.nominal
+                                    : with_intervals(fit),
+                   .noise = fit.noise,
+                   .rounds = std::move(best.rounds),
+                   .rivals = std::move(judged.trail),
+                   .notes = base.notes,
+                   .unnamed = std::move(best.unnamed),
+                   .hints = {},
+                   .adequacy = {},
+                   .stages = std::move(judged.stages)};
   std::move(best.findings.begin(), best.findings.end(), std::back_inserter(result.effects));
   set_minor_apart(problem.options.decision, result);
   result.notes.insert(result.notes.end(), best.notes.begin(), best.notes.end());
@@ -452,11 +369,11 @@ Diagnosis make_answer(const Problem& problem, Judged judged, std::optional<Gap> 
                                result.verdict == Verdict::UnnamedStructure;
   if (!result.effects.empty()) result.twins = std::move(best.twins);
   for (const Twin& twin : result.twins) result.notes.push_back(twin.sentence);
-  result.notes.insert(result.notes.end(), doubts.begin(), doubts.end());
+  result.notes.insert(result.notes.end(), found.doubts.begin(), found.doubts.end());
   result.notes.insert(result.notes.end(), inputs.begin(), inputs.end());
   if (!evaluation.lower && !evaluation.note.empty()) result.notes.push_back(evaluation.note);
-  result.reservations = std::move(doubts);
-  if (alone == Verdict::CoefficientsOnly)
+  result.reservations = std::move(found.doubts);
+  if (found.alone == Verdict::CoefficientsOnly)
     result.combined_change =
         combined_change(problem.nominal, fit, base.fit_options.free.size(),
                         problem.options.decision.significance);
