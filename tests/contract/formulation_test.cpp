@@ -24,7 +24,7 @@ Dataset oscillator(Index samples) {
   record.states.resize(samples, 2);
   record.states.col(0) = (2.0 * record.time.array()).cos();
   record.states.col(1) = -2.0 * (2.0 * record.time.array()).sin();
-  return testing::one_record({{"x", ""}, {"y", ""}}, {}, record);
+  return support::one_record({{"x", ""}, {"y", ""}}, {}, record);
 }
 
 /// Coefficients of 1, x, y in both equations: of the flow, or of the map that it makes of a

@@ -113,7 +113,7 @@ Dataset oscillator() {
   record.states.resize(400, 2);
   record.states.col(0) = (2.0 * record.time.array()).cos();
   record.states.col(1) = -2.0 * (2.0 * record.time.array()).sin();
-  return testing::one_record({{"x", ""}, {"y", ""}}, {}, record);
+  return support::one_record({{"x", ""}, {"y", ""}}, {}, record);
 }
 
 OdeModel nearly_right(const Dataset& data) {

@@ -41,7 +41,7 @@ inline Dataset oscillator_record() {
   record.states.col(0) = (2.0 * record.time.array()).sin();
   record.states.col(1) = 2.0 * (2.0 * record.time.array()).cos();
   record.inputs = 0.5 * (3.0 * record.time.array()).sin().matrix();
-  return testing::one_record({{"q", "m"}, {"v", "m/s"}}, {{"F", "N"}}, record);
+  return support::one_record({{"q", "m"}, {"v", "m/s"}}, {{"F", "N"}}, record);
 }
 
 inline Scope oscillator_scope() {

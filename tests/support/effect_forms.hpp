@@ -98,7 +98,7 @@ inline Scope scope_of(const OdeModel& model, double centre = 0.0) {
         centre + (record.time.array() * (1.0 + 0.37 * static_cast<double>(k))).sin();
     (k < m ? record.states.col(k) : record.inputs.col(k - m)) = swing;
   }
-  Dataset data = testing::one_record(model.states(), model.inputs(), record);
+  Dataset data = support::one_record(model.states(), model.inputs(), record);
   return make_scope(model, data, Vector::Constant(m, 0.01));
 }
 

@@ -46,7 +46,7 @@ inline Dataset lorenz96_record(Index m, Index samples, double fraction, std::uin
   const Vector sigma = fraction * spread(record.states);
   for (Index k = 0; k < m; ++k)
     for (Index i = 0; i < samples; ++i) record.states(i, k) += sigma[k] * random.normal();
-  return testing::one_record(model.states(), {}, std::move(record));
+  return support::one_record(model.states(), {}, std::move(record));
 }
 
 }  // namespace lacuna

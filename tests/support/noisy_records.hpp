@@ -39,7 +39,7 @@ inline Dataset noisy_record(const std::string& name, Index samples, double fract
   const Vector sigma = fraction * spread(record.states);
   for (Index k = 0; k < record.states.cols(); ++k)
     for (Index i = 0; i < samples; ++i) record.states(i, k) += sigma[k] * random.normal();
-  return testing::one_record(system.model.states(), {}, std::move(record));
+  return support::one_record(system.model.states(), {}, std::move(record));
 }
 
 inline TermLibrary quadratic_library(const OdeModel& model) {

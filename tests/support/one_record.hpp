@@ -6,7 +6,7 @@
 
 #include "lacuna/data/records/dataset.hpp"
 
-namespace lacuna::testing {
+namespace lacuna::support {
 
 /// A data set of one record. Where there are no inputs, each sample has none of them.
 inline Dataset one_record(std::vector<Quantity> states, std::vector<Quantity> inputs,
@@ -19,4 +19,4 @@ inline Dataset one_record(std::vector<Quantity> states, std::vector<Quantity> in
   return data;
 }
 
-}  // namespace lacuna::testing
+}  // namespace lacuna::support

@@ -52,7 +52,7 @@ TEST(FormatCsv, WritesNamesUnitsAndShortestNumbers) {
   Trajectory record;
   record.time = (Vector(2) << 0.0, 0.1).finished();
   record.states = (Vector(2) << 1.5, 1.0 / 3.0).finished();
-  Dataset data = testing::one_record({{"x", "V"}}, {}, record);
+  Dataset data = support::one_record({{"x", "V"}}, {}, record);
   EXPECT_EQ(format_csv(data, "made by hand\nseed 1"),
             "# made by hand\n# seed 1\nt [s],x [V]\n0,1.5\n0.1,0.3333333333333333\n");
 }

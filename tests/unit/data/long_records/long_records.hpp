@@ -25,7 +25,7 @@ inline Dataset long_oscillation(Index samples, double per_period, double noise =
     record.states(i, 0) = std::sin(w * record.time[i]) + noise * random.normal();
     record.states(i, 1) = w * std::cos(w * record.time[i]) + w * noise * random.normal();
   }
-  return testing::one_record({{"x", "m"}, {"v", "m/s"}}, {}, std::move(record));
+  return support::one_record({{"x", "m"}, {"v", "m/s"}}, {}, std::move(record));
 }
 
 /// Time and states as a file has them.

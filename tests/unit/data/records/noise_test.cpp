@@ -133,6 +133,11 @@ TEST(AnalyseNoise, TellsWhiteNoise) {
   EXPECT_FALSE(noise.lattice);
 }
 
+TEST(AnalyseNoise, GivesABoundWhereThereIsNone) {
+  const StateNoise noise = noise_of_first_state(record(0.0, 0.0, 9));
+  EXPECT_LT(noise.sigma, 1e-8);
+}
+
 TEST(AnalyseNoise, TellsColouredNoise) {
   Trajectory trajectory = record(0.0, 0.0, 9);
   Random random(4);

@@ -218,5 +218,13 @@ TEST(Filled, GoesStraightFromWhatSaysSomething) {
   EXPECT_EQ(filled(states, none), states) << "nothing to go by";
 }
 
+TEST(Marks, GoWithTheRows) {
+  Trajectory record = four_samples();
+  set_mark(record, 2, 0, Mark::AtBottom);
+  const Trajectory part = rows_of(record, 1, 2);
+  EXPECT_EQ(mark_of(part.marks, 1, 0), Mark::AtBottom);
+  EXPECT_EQ(mark_of(part.marks, 0, 0), Mark::Value);
+}
+
 }  // namespace
 }  // namespace lacuna

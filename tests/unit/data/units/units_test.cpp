@@ -98,7 +98,7 @@ Dataset records() {
   record.states = (Matrix(2, 2) << 180.0, 20.0, 90.0, 30.0).finished();
   record.inputs = Eigen::Vector2d(1500.0, -500.0);
   record.derivatives = (Matrix(2, 2) << 18.0, 1.0, 9.0, 2.0).finished();
-  return testing::one_record({{"th", "deg"}, {"T", "degC"}}, {{"u", "mV"}}, record);
+  return support::one_record({{"th", "deg"}, {"T", "degC"}}, {{"u", "mV"}}, record);
 }
 
 TEST(InUnits, ValuesAndRatesAreConverted) {

@@ -309,7 +309,7 @@ Dataset armature_record() {
       w += h * (4.0 * i - w);
     }
   }
-  return testing::one_record({{"w", "rad/s"}, {"i", "A"}}, {{"u", "V"}}, std::move(record));
+  return support::one_record({{"w", "rad/s"}, {"i", "A"}}, {{"u", "V"}}, std::move(record));
 }
 
 TEST(MotionHints, WhatThePlantMakesOfAnInputIsNoFeedback) {

@@ -118,7 +118,7 @@ TEST(FindSlip, ListsWhatIsNotToldApart) {
   record.time = Vector::LinSpaced(801, 0.0, 40.0);
   record.states = 0.01 * record.time.array().sin().matrix();
   record.inputs = record.time.array().cos().matrix();
-  Dataset data = testing::one_record({{"x", ""}}, {{"u", ""}}, record);
+  Dataset data = support::one_record({{"x", ""}}, {{"u", ""}}, record);
   const BoundRecords records = observed(std::move(data));
   const auto slip = find_slip(integrator, records.data, rate_windows(records), {});
   ASSERT_TRUE(slip);

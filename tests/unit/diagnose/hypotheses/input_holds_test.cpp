@@ -102,7 +102,7 @@ Dataset behind_a_source(const OdeModel& filter, bool steps) {
     record.states(i, 0) = value + 1e-3 * random.normal();
     value = u + slope * (kStep - kTime) + (value - u + slope * kTime) * left;
   }
-  return testing::one_record(filter.states(), filter.inputs(), record);
+  return support::one_record(filter.states(), filter.inputs(), record);
 }
 
 TEST(InputHolds, SamplesOnLinesContradictAModelThatSaysHeld) {

@@ -251,7 +251,7 @@ TEST(SensorTiming, WhereOneChannelShowsAllBothAreSaid) {
       late += h * (input(t) - middle) / kTau;
     }
   }
-  Dataset data = testing::one_record({{"x", ""}}, {{"u", ""}}, record);
+  Dataset data = support::one_record({{"x", ""}}, {{"u", ""}}, record);
   asked.records = observed(data);
   Candidate lag{.form = parse_expression("lagged-u"), .argument = parse_expression("u")};
   lag.memory = {{"lagged", parse_expression("(u-lagged)/tau"), parse_expression("u")}};

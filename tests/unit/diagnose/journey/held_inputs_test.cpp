@@ -127,7 +127,7 @@ Dataset behind_a_late_input(const OdeModel& filter, double late) {
     record.states.col(0).array() += gain * (w * (record.time.array() - late) - lag).sin();
   }
   for (double& x : record.states.reshaped()) x += 1e-4 * random.normal();
-  return testing::one_record(filter.states(), filter.inputs(), record);
+  return support::one_record(filter.states(), filter.inputs(), record);
 }
 
 /// A hold is half a step of delay, and a delay of 0.6 steps beside it one of 0.1: as no sample

@@ -79,7 +79,7 @@ Dataset vessel(std::uint64_t seed) {
     for (int part = 0; part < kParts; ++part)
       h += 2.0 / kParts * (0.01 * u - 0.008 * std::sqrt(h));
   }
-  return testing::one_record({{"h", "m"}}, {{"u", "1"}}, std::move(record));
+  return support::one_record({{"h", "m"}}, {{"u", "1"}}, std::move(record));
 }
 
 TEST(TrueNames, AnOffsetLargerThanTheSpreadOfItsChannel) {
@@ -164,7 +164,7 @@ Dataset drive(const std::vector<double>& levels, std::uint64_t seed) {
       n += 0.01 / kParts * (-4.0 * n + 1200.0 * y);
     }
   }
-  return testing::one_record({{"n", "rpm"}}, {{"U", "V"}}, std::move(record));
+  return support::one_record({{"n", "rpm"}}, {{"U", "V"}}, std::move(record));
 }
 
 TEST(TrueNames, TheNoiseFloorOfWhatHasNoNameIsThatOfItsSamples) {

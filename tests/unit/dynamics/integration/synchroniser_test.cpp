@@ -202,7 +202,7 @@ Dataset half_measured(const OdeModel& model) {
   run.states.col(0) = run.time.array().sin();
   run.marks = Matrix::Zero(2001, 2);
   run.marks.col(1).setConstant(number_of(Mark::Missing));
-  Dataset data = testing::one_record(model.states(), {}, run);
+  Dataset data = support::one_record(model.states(), {}, run);
   data.reconstructed = {false, true};
   return data;
 }

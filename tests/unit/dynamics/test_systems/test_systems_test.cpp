@@ -305,7 +305,7 @@ Dataset uneven_sine() {
     run.time[i] =
         1e-3 * (0.01 * static_cast<double>(i) + 0.002 * std::sin(1.0 * static_cast<double>(i)));
   run.states = (run.time.array() * 1e3).sin().matrix();
-  Dataset record = testing::one_record({{"x", "V"}}, {}, run);
+  Dataset record = support::one_record({{"x", "V"}}, {}, run);
   return record;
 }
 

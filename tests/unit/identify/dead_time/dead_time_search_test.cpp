@@ -80,7 +80,7 @@ Dataset squares(std::optional<Hold> hold) {
   record.time = Vector::LinSpaced(kSamples, 0.0, 3.9);
   record.states = record.time;
   record.inputs = (10.0 * record.time.array()).round().square().matrix();
-  return testing::one_record({{"x", ""}}, {{"u", "", hold}}, record);
+  return support::one_record({{"x", ""}}, {{"u", "", hold}}, record);
 }
 
 Vector one(double time) { return Vector::Constant(1, time); }

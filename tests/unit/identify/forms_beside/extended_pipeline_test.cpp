@@ -94,7 +94,7 @@ Dataset orbit(double noise) {
   record.states << record.time.array().sin(), record.time.array().cos();
   Random random(1);
   for (Index i = 0; i < 600; ++i) record.states(i, 1) += noise * random.normal();
-  return testing::one_record({{"x", ""}, {"y", ""}}, {}, record);
+  return support::one_record({{"x", ""}, {"y", ""}}, {}, record);
 }
 
 ModelComparison comparison(double noise) { return {orbit(noise), analyse_noise(orbit(noise))}; }

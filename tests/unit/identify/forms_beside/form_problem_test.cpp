@@ -23,7 +23,7 @@ Dataset decay() {
   Trajectory record;
   record.time = Vector::LinSpaced(801, 0.0, 4.0);
   record.states = (-record.time.array()).exp().matrix();
-  return testing::one_record({{"x", ""}}, {}, record);
+  return support::one_record({{"x", ""}}, {}, record);
 }
 
 Candidate form_of_x(const std::string& form) {
@@ -181,7 +181,7 @@ Dataset circle(Index n, double noise, double length = 20.0, std::uint64_t seed =
     record.states(i, 0) = 2.0 * std::cos(record.time[i]) + noise * random.normal();
     record.states(i, 1) = -2.0 * std::sin(record.time[i]) + noise * random.normal();
   }
-  return testing::one_record({{"x", ""}, {"y", ""}}, {}, record);
+  return support::one_record({{"x", ""}, {"y", ""}}, {}, record);
 }
 
 TEST(FormRows, HoldWhereTheEquationDoes) {

@@ -34,7 +34,7 @@ Dataset record_of(bool modulated) {
   record.time = Vector::LinSpaced(1201, 5.0, 35.0);
   const Vector tone = -((w * record.time.array() + kPhase).cos() / w).matrix();
   record.states = modulated ? Vector(tone.array().exp()) : tone;
-  return testing::one_record({{"x", ""}}, {}, record);
+  return support::one_record({{"x", ""}}, {}, record);
 }
 
 OdeModel model_of() { return OdeModel({{"x", ""}}, {}, {{}}); }

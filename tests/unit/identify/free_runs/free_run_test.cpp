@@ -31,7 +31,7 @@ Dataset record_of(double noise, double correlation, std::uint64_t seed) {
     x = u + (x - u) * std::exp(-kStep);
     error = correlation * error + std::sqrt(1.0 - correlation * correlation) * random.normal();
   }
-  return testing::one_record({{"x", ""}}, {{"u", "", Hold::Zero}}, record);
+  return support::one_record({{"x", ""}}, {{"u", "", Hold::Zero}}, record);
 }
 
 SystemModel model_of(const std::string& equation) {

@@ -178,7 +178,7 @@ Dataset step_test(const std::vector<double>& values, Index length, double noise,
     record.inputs(i, 0) = u;
     w = 5.0 * u + (w - 5.0 * u) * std::exp(-2.0 * step);
   }
-  return testing::one_record({{"w", ""}}, {{"u", ""}}, record);
+  return support::one_record({{"w", ""}}, {{"u", ""}}, record);
 }
 
 std::vector<std::string> names(const Pipeline& pipeline) {
@@ -267,7 +267,7 @@ Dataset record_of(double a, double b, double u0, Index length, std::uint64_t see
     record.inputs(i, 0) = u;
     w = 10.0 * u / rate + (w - 10.0 * u / rate) * std::exp(-rate * kStep);
   }
-  return testing::one_record({{"w", ""}}, {{"u", "", Hold::Zero}}, record);
+  return support::one_record({{"w", ""}}, {{"u", "", Hold::Zero}}, record);
 }
 
 std::vector<std::string> terms_of(const OdeModel& model) {

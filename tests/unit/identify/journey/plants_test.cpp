@@ -184,7 +184,7 @@ Dataset heater(Index late, const std::function<double(Index)>& input) {
     const double level = 0.7 * (i < late ? input(0) : input(i - late));
     rise = level + (rise - level) * std::exp(-1.0 / 60.0);
   }
-  return testing::one_record({{"T", "degC"}}, {{"Q", "%", Hold::Zero}}, record);
+  return support::one_record({{"T", "degC"}}, {{"Q", "%", Hold::Zero}}, record);
 }
 
 TEST(Plants, AtASingleStepTheLinearLawIsTaken) {

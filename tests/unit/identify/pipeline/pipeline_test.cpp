@@ -52,7 +52,7 @@ Dataset noisy_decay(Index samples, double noise, std::uint64_t seed) {
   for (Index i = 0; i < samples; ++i) record.states(i, 0) = random.uniform(-1.0, 1.0);
   record.derivatives = -record.states;
   for (Index i = 0; i < samples; ++i) record.derivatives(i, 0) += noise * random.normal();
-  return testing::one_record({{"x", "V"}}, {}, record);
+  return support::one_record({{"x", "V"}}, {}, record);
 }
 
 Stlsq thresholding(double threshold) {

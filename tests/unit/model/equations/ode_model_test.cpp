@@ -154,12 +154,12 @@ TEST(OdeModel, AMapStaysAMap) {
   EXPECT_FALSE(map.with_evolution(Evolution::Flow).is_map());
 }
 
-const std::vector<Quantity> kStates = {{"q", "m"}, {"v", "m/s"}};
+const std::vector<Quantity> kStopStates = {{"q", "m"}, {"v", "m/s"}};
 
 /// dq/dt = v, dv/dt = -2 q - 5 max(0,q-b) + u, with b a shape parameter.
 OdeModel stop_model() {
   const Variables variables{{"q", "v"}, {"u", "b"}};
-  return {kStates,
+  return {kStopStates,
           {{"u", "N"}, {"b", "m"}},
           {{{Term::parse("v", variables), 1.0}},
            {{Term::parse("q", variables), -2.0},

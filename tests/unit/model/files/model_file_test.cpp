@@ -195,6 +195,13 @@ TEST(ModelFile, ValuesOfTheWrongKind) {
               HasSubstr("$.inputs: an array is expected here, not a JSON number"));
 }
 
+TEST(ModelFile, AUnitCannotActOnATerminal) {
+  for (const std::string unit : {"\\u001b[31m", "\\u0000", "a\\nb", "\\u009b"})
+    EXPECT_THAT(message_after("\"rad/s\"", "\"" + unit + "\""),
+                HasSubstr("$.states[1].unit: the unit "));
+  EXPECT_EQ(message_after("\"rad/s\"", "\"\xc2\xb0/s\""), "no error");
+}
+
 TEST(ModelFile, NamesAndEquationsThatDoNotFit) {
   EXPECT_THAT(message_after("\"name\": \"u\"", "\"name\": \"w\""),
               HasSubstr("$.inputs[0].name: the name 'w' is given twice"));

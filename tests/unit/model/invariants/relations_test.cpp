@@ -28,7 +28,7 @@ Dataset orbit(double radius = 2.0) {
   record.states.resize(kSamples, 2);
   record.states.col(0) = radius * record.time.array().cos();
   record.states.col(1) = -radius * record.time.array().sin();
-  return testing::one_record({{"x", ""}, {"y", ""}}, {}, std::move(record));
+  return support::one_record({{"x", ""}, {"y", ""}}, {}, std::move(record));
 }
 
 Dataset record_of_text(const std::string& text, const Vector& start, double step, Index n) {
@@ -228,7 +228,7 @@ Dataset noisy_pair(Index n, double noise) {
     record.states(i, 0) += noise * random.normal();
     record.states(i, 1) += 2.0 * noise * random.normal();
   }
-  return testing::one_record({{"x", ""}, {"y", ""}}, {}, std::move(record));
+  return support::one_record({{"x", ""}, {"y", ""}}, {}, std::move(record));
 }
 
 TEST(MonomialMoments, NoiseIsThatOfTheMonomials) {

@@ -49,7 +49,7 @@ Dataset waves(double offset = 0.0) {
   record.time = Vector::LinSpaced(60, 0.0, 6.0);
   record.states.resize(60, 2);
   record.states << record.time.array().sin() + offset, record.time.array().cos();
-  return testing::one_record({{"x", ""}, {"y", ""}}, {}, record);
+  return support::one_record({{"x", ""}, {"y", ""}}, {}, record);
 }
 
 std::string refusal(const Dataset& data, const Rows& rows = Rows{}) {
@@ -85,7 +85,7 @@ TEST(Formulation, AStateThatVariesLateVaries) {
   record.time = Vector::LinSpaced(20000, 0.0, 1.0);
   record.states = Matrix::Random(20000, 2);
   record.states.col(1).setConstant(2.0);
-  Dataset data = testing::one_record({{"x", ""}, {"y", ""}}, {}, record);
+  Dataset data = support::one_record({{"x", ""}, {"y", ""}}, {}, record);
   EXPECT_NE(refusal(data).find("is constant (2) in all 20000 samples"), std::string::npos);
   data.trajectories[0].states(19999, 1) = 2.5;
   EXPECT_EQ(refusal(data), "");

@@ -116,7 +116,7 @@ Dataset line() {
   Trajectory record;
   record.time = Vector::LinSpaced(5, 0.0, 4.0);
   record.states = record.time;
-  return testing::one_record({{"x", "m"}}, {}, record);
+  return support::one_record({{"x", "m"}}, {}, record);
 }
 
 TEST(Refiner, RefusesModelsOfOtherStatesAndUnusableData) {

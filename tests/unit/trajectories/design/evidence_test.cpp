@@ -188,7 +188,7 @@ Dataset record(double k, double noise, std::uint64_t seed) {
                  Matrix()};
   for (Index i = 0; i < 41; ++i)
     run.states(i, 0) = std::exp(-k * run.time[i]) + noise * random.normal();
-  return testing::one_record({{"y", ""}}, {{"u", "", Hold::Zero}}, std::move(run));
+  return support::one_record({{"y", ""}}, {{"u", "", Hold::Zero}}, std::move(run));
 }
 
 TEST(InformationOf, IsThatOfTheFormula) {

@@ -48,7 +48,7 @@ Dataset late_record(std::uint64_t seed, double memory = 0.0) {
     rest(kGain * record.inputs(std::max<Index>(i - 3, 0), 0), 0.5);
     rest(kGain * record.inputs(std::max<Index>(i - 2, 0), 0), 0.5);
   }
-  return testing::one_record({{"x", ""}}, {{"u", "", Hold::Zero}}, record);
+  return support::one_record({{"x", ""}}, {{"u", "", Hold::Zero}}, record);
 }
 
 SystemModel late_system(const std::string& delay) {

@@ -54,7 +54,7 @@ Dataset record_of(const Emptied& plant, std::uint64_t seed) {
         x[k] = std::max(0.0, x[k] + plant.step / kParts * rate[k]);
     }
   }
-  return testing::one_record({{"y", ""}}, {{"u", "", Hold::Zero}}, record);
+  return support::one_record({{"y", ""}}, {{"u", "", Hold::Zero}}, record);
 }
 
 Fit fitted(const std::string& text, const Emptied& plant, std::uint64_t seed) {

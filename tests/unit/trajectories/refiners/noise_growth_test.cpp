@@ -160,7 +160,7 @@ Dataset ramp(std::optional<Hold> hold) {
   record.time = Vector{{0.0, 0.1, 0.2, 0.3, 0.4, 0.5}};
   record.inputs = Vector{{0.0, 0.0, 3.0, 3.0, -1.0, -1.0}};
   record.states = Vector{{0.0, 0.0, 0.0, 0.3, 0.6, 0.5}};
-  return testing::one_record({{"x", ""}}, {{"u", "", hold}}, record);
+  return support::one_record({{"x", ""}}, {{"u", "", hold}}, record);
 }
 
 Vector input_nodes(const Dataset& data, Index substeps) {

@@ -24,7 +24,7 @@ Dataset sine(const OdeModel& model) {
   record.time = Vector::LinSpaced(401, 0.0, 20.0);
   record.states = Matrix::Zero(401, model.dimension());
   record.states.col(0) = record.time.array().sin();
-  Dataset data = testing::one_record(model.states(), {}, record);
+  Dataset data = support::one_record(model.states(), {}, record);
   data.reconstructed.assign(model.states().size(), true);
   data.reconstructed[0] = false;
   return data;
@@ -159,7 +159,7 @@ Dataset records_of(const OdeModel& model) {
         1.5 + (record.time.array() * (1.0 + 0.37 * static_cast<double>(k))).sin();
   for (Index j = 0; j < record.inputs.cols(); ++j)
     record.inputs.col(j) = (record.time.array() * (0.31 + 0.2 * static_cast<double>(j))).cos();
-  return testing::one_record(model.states(), model.inputs(), record);
+  return support::one_record(model.states(), model.inputs(), record);
 }
 
 UnseenChanges unseen_of(const std::string& text, const std::vector<bool>& hidden,

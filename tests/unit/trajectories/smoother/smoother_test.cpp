@@ -201,7 +201,7 @@ TEST(Assimilation, GrowthAtUnitRateIsNoIdentity) {
   Trajectory record;
   record.time = Vector::LinSpaced(200, 0.0, 2.0);
   record.states = (1.1 * record.time.array()).exp();
-  Dataset data = testing::one_record(growth.states(), {}, record);
+  Dataset data = support::one_record(growth.states(), {}, record);
   AssimilationOptions options;
   options.free = free_coefficients(growth);
   const Assimilation fit = assimilate(growth, as_measured(data), options, RunContext{});
