@@ -151,6 +151,20 @@ Dataset full_record() {
   return data;
 }
 
+TEST(SampleSource, OfARecordInMemoryGivesItsRows) {
+  const Dataset data = full_record();
+  const auto source = source_of(data.trajectories[0]);
+  ASSERT_EQ(source->samples(), 1000);
+  const Trajectory part = source->read(600, 100),
+                   expected = rows_of(data.trajectories[0], 600, 100);
+  EXPECT_EQ(part.time, expected.time);
+  EXPECT_EQ(part.states, expected.states);
+  EXPECT_EQ(part.marks, expected.marks);
+  EXPECT_EQ(part.source, "swing");
+  EXPECT_EQ(source->in_memory(), &data.trajectories[0]);
+  EXPECT_EQ(thinned(source, 2)->in_memory(), nullptr) << "its samples are others";
+}
+
 /// A record of which only pieces can be read, like one in a file.
 class InPieces final : public SampleSource {
  public:

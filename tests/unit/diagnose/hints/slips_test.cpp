@@ -242,7 +242,7 @@ std::vector<Hint> hints_for_pendulum(const std::string& unit, double steps, doub
   data.states.resize(1);
   data.trajectories[0].derivatives.resize(0, 0);
   Matrix& states = data.trajectories[0].states;
-  states = (states.leftCols(1) * (steps / turn)).array().round().matrix();
+  states = (states.leftCols(1) * (steps / turn)).array().round().matrix().eval();
   if (!in_counts) states *= turn / steps;
   const BoundRecords records = observed(model_view(model, data, FiniteDifferences{}));
   return unit_hints(model, records, rate_windows(records), {});

@@ -52,6 +52,15 @@ TEST(Program, DelayedVariablesGetSlotsBehindTheVariables) {
             (std::vector<double>{11.0, 200.0}));
 }
 
+TEST(Program, NamesAnUnknownVariable) {
+  try {
+    compile({"x*theta"});
+    FAIL();
+  } catch (const ModelError& error) {
+    EXPECT_THAT(error.what(), ::testing::HasSubstr("unknown name 'theta'"));
+  }
+}
+
 /// The formula's value by plain recursion over the tree.
 double reference(const Expression& e, const std::vector<double>& slots,
                  const Program& program) {

@@ -193,5 +193,15 @@ TEST(IdentificationText, LongEquationsAreShownAsFarAsTheyFit) {
   EXPECT_THAT(format_text(long_report(1, 90), {{}, true}), HasSubstr("+- 0.0002)*x0^90"));
 }
 
+TEST(IdentificationText, WhatIsFoundIsPrintedByOneCall) {
+  const TestSystem& system = test_system("pendulum");
+  Dataset data = record_of(system.model, Dopri87{}, system.start, 0.02, 1500);
+  data.trajectories[0].derivatives.resize(0, 0);
+  const std::string text = format_text(identify_records(add_relative_noise(data, 0.001, 3)));
+  for (const char* part :
+       {"Fits to the noise", "dth/dt = ", "sin(th)", "Synchronisation with the record: Holds"})
+    EXPECT_THAT(text, HasSubstr(part));
+}
+
 }  // namespace
 }  // namespace lacuna
