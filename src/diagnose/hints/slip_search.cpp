@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <utility>
 
 namespace lacuna {
@@ -65,11 +66,23 @@ bool fits_no_worse(const Comparison& fit, double slip_harm) {
   return (fit.after.array().sqrt() <= fit.before.array().sqrt() + slip_harm).all();
 }
 
+/// Whether a slip is the other unit of an angle, degrees for radians: small swings do not
+/// determine that factor, whose misfit is as little with any smaller one.
+bool is_angle(const OdeModel& model, const Slip& slip) {
+  constexpr double kDegree = std::numbers::pi / 180.0, kSame = 1e-6;
+  const Index channel = slip.channels.front();
+  if (channel >= model.dimension()) return false;
+  const std::string& unit = model.states()[static_cast<std::size_t>(channel)].unit;
+  return (unit == "rad" && std::abs(slip.correction / kDegree - 1.0) < kSame) ||
+         (unit == "deg" && std::abs(slip.correction * kDegree - 1.0) < kSame);
+}
+
 /// Whether the factor that the records determine, from the parabola through the logarithms of
 /// three misfits, is the one on the list, and whether they say one at all. Of the logarithms
 /// the equation that says most decides, and not one that lacks something.
 bool is_said(const Trial& trial, const Slip& slip, const Comparison& fit, double round_factor) {
   if (slip.kind != HintKind::TimeUnit && slip.kind != HintKind::ChannelUnit) return true;
+  if (slip.kind == HintKind::ChannelUnit && is_angle(trial.model, slip)) return true;
   const auto at = [&](double step) {
     Slip near = slip;
     near.correction *= std::exp(step);

@@ -13,8 +13,8 @@ namespace {
 
 /// The frequencies that records and rows resolve, in steps of a quarter of the resolution.
 std::vector<double> frequencies_of(const Scope& scope, const FormRows& rows) {
-  // Facts of the search: two periods are a tone, fewer a trend; a row is a mean over a window.
-  constexpr double kFewestPeriods = 2.0, kRowsOfAPeriod = 4.0, kStepsOfALine = 4.0;
+  // Facts of the search: fewer periods are a trend; a row is a mean over a window.
+  constexpr double kRowsOfAPeriod = 4.0, kStepsOfALine = 4.0;
   std::vector<double> all;
   const double most = static_cast<double>(rows.rows()) / kRowsOfAPeriod;
   for (double periods = kFewestPeriods; periods <= most; periods += 1.0 / kStepsOfALine)

@@ -46,7 +46,7 @@ double residual_over_noise(const Fit& run) {
 }  // namespace
 
 FreeRun free_run(const SystemModel& system, const Dataset& data, const KnownNoise& noise,
-                 const RunContext& context) {
+                 const RunContext& context, bool rough) {
   constexpr Index kSamples = 4000;  // a bound of the work
   constexpr Index kPieces = 4;      // a long record may begin at rest, or with one motion
   const Dataset records = thinned(data, kSamples, kPieces);
@@ -55,7 +55,7 @@ FreeRun free_run(const SystemModel& system, const Dataset& data, const KnownNois
                         {.restarts = 0,
                          .starts = 0,
                          .effort = Thoroughness::Quick,
-                         .rough = true,
+                         .rough = rough,
                          .noise = noise},
                         context);
     FreeRun result{run.model, -2.0 * run.log_likelihood, independent_samples(run),

@@ -31,9 +31,10 @@ struct FreeRun {
 /// (Bartlett, J. R. Stat. Soc. 98 (1935) 536). Where no free run is finite the deviance is
 /// infinite.
 /// @param data records that models are compared on; of long ones a part. @param noise of its
-/// states, where it is known.
+/// states, where it is known. @param rough with the steps of the search, which are too long for
+/// slopes of dry friction.
 FreeRun free_run(const SystemModel& system, const Dataset& data, const KnownNoise& noise,
-                 const RunContext& context);
+                 const RunContext& context, bool rough = true);
 
 /// Whether a model is better than one with fewer parameters: its deviance is smaller by more
 /// than ln n for each parameter more (Schwarz), n and the deviance those of as many samples as

@@ -72,7 +72,7 @@ std::optional<LateEquations> plain_equations(const Dataset& data, const Pipeline
                       found.fits ? 0.0 : found.least, noise, context);
   if (!plain) return std::nullopt;
   LateEquations result{times, found.result.dead_times, found.result};
-  if (found.times.size() == 0 && largest(times) > 0.0) {
+  if (largest(times) > 0.0) {  // with other equations they are others
     result.found =
         refined_dead_times(data, plain->system.model(), times, given, noise, context);
     if (!are_determined(result.found)) result.found.clear();

@@ -161,8 +161,8 @@ class PlainSearch {
     return all;
   }
 
-  FreeRun run(const SystemModel& system) const {
-    return free_run(system, data_, noise_, context_);
+  FreeRun run(const SystemModel& system, bool rough = true) const {
+    return free_run(system, data_, noise_, context_, rough);
   }
   bool is_late() const { return context_.is_late(); }
   bool are_worth(const FreeRun& more, const FreeRun& fewer) const {
@@ -312,14 +312,17 @@ FreeRun pruned(const PlainSearch& search, FreeRun best) {
   return best;
 }
 
-/// Whether an equation has dry friction already, with whatever width.
+/// Whether an equation has dry friction already, with whatever width, or none.
 bool has_width(const SystemModel& system, const Ranked& ranked) {
+  if (!ranked.width) return false;
   const Equation& equation =
       system.symbolic().equations()[static_cast<std::size_t>(ranked.equation)];
-  return ranked.width &&
-         std::any_of(equation.begin(), equation.end(), [&](const WeightedTerm& summand) {
-           return summand.term.expression().variables().contains(ranked.width->name);
-         });
+  const Expression speed = ranked.term.expression().operands()[0].operands()[0];
+  return std::any_of(equation.begin(), equation.end(), [&](const WeightedTerm& summand) {
+    const Expression& form = summand.term.expression();
+    return form.variables().contains(ranked.width->name) ||
+           form == Expression::make(Operation::Sign, {speed});
+  });
 }
 
 /// The best of the terms that the rows put first, where it is worth it.
@@ -337,6 +340,32 @@ std::optional<FreeRun> extended(const PlainSearch& search, const FreeRun& best) 
              : std::nullopt;
 }
 
+/// An expression with dry friction of a width as a jump.
+Expression with_jump(const Expression& form, const std::string& width) {
+  if (form.operation() != Operation::Tanh || !form.variables().contains(width)) return form;
+  return Expression::make(Operation::Sign, {form.operands()[0].operands()[0]});
+}
+
+/// The best of a structure and the same with jumps in the place of narrow slopes, which fits
+/// only find from numbers that are nearly right.
+FreeRun with_jumps(const PlainSearch& search, FreeRun best) {
+  if (best.system.parameters().empty()) return best;
+  if (FreeRun finer = search.run(best.system, false); finer.deviance < best.deviance)
+    best = std::move(finer);
+  for (const Parameter& width : std::vector<Parameter>(best.system.parameters())) {
+    if (search.is_late()) break;
+    std::vector<Equation> equations = best.system.symbolic().equations();
+    for (Equation& equation : equations)
+      for (WeightedTerm& summand : equation)
+        summand.term = Term(with_jump(summand.term.expression(), width.name),
+                            best.system.symbolic().variables());
+    FreeRun jump = search.run(
+        system_with(best.system, std::move(equations), best.system.parameters()), false);
+    if (jump.is_finite() && !search.are_worth(best, jump)) best = std::move(jump);
+  }
+  return best;
+}
+
 /// The search from one structure; nothing where that has no finite run.
 std::optional<FreeRun> searched_from(const PlainSearch& search, const SystemModel& start) {
   constexpr int kRounds = 4;  // a bound of the work: what takes more terms is not plain
@@ -349,7 +378,7 @@ std::optional<FreeRun> searched_from(const PlainSearch& search, const SystemMode
     if (!next) break;
     best = pruned(search, *std::move(next));
   }
-  return pruned(search, std::move(best));
+  return with_jumps(search, pruned(search, std::move(best)));
 }
 
 }  // namespace

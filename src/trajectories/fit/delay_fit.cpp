@@ -134,7 +134,7 @@ void search_range(DelayProfile& profile, const DelayRange& range, double given) 
   constexpr int kPoints = 12, kBits = 12;  // of the grid, and of the minimum between neighbours
   const double apart = (range.high - range.low) / kPoints;
   profile.at(given);
-  for (int i = 0; i <= kPoints; ++i) profile.at(range.low + i * apart);
+  for (int i = 0; i <= kPoints; ++i) profile.at(std::min(range.high, range.low + i * apart));
   const double low = std::max(range.low, profile.best().value - apart);
   const double high = std::min(range.high, profile.best().value + apart);
   boost::math::tools::brent_find_minima(

@@ -17,6 +17,7 @@
 #include "lacuna/dynamics/integration/runge_kutta.hpp"
 #include "lacuna/dynamics/test_systems/measurement.hpp"
 #include "lacuna/model/files/ode_text.hpp"
+#include "lacuna/records/binding/embedding.hpp"
 #include "lacuna/records/binding/model_view.hpp"
 #include "support/driven_oscillator.hpp"
 #include "support/one_record.hpp"
@@ -125,6 +126,29 @@ TEST(FindSlip, ListsWhatIsNotToldApart) {
   EXPECT_EQ(slip->slip.kind, HintKind::TimeUnit);
   ASSERT_EQ(slip->others.size(), 2u) << "x or u";
   EXPECT_DOUBLE_EQ(slip->others[0].correction * slip->others[1].correction, 1.0);
+}
+
+/// A small swing of an angle whose speed was made from it: degrees are as good as any smaller
+/// number.
+TEST(FindSlip, SeesDegreesInASwingThatIsNearlyLinear) {
+  const Variables variables{{"th", "w"}, {}};
+  const OdeModel pendulum(
+      {{"th", "rad"}, {"w", "rad/s"}}, {},
+      {{{Term::parse("w", variables), 1.0}}, {{Term::parse("sin(th)", variables), -25.0}}});
+  for (const double factor : {1.0, 180.0 / std::numbers::pi}) {
+    Trajectory record;
+    record.time = Vector::LinSpaced(1001, 0.0, 10.0);
+    record.states = factor * 0.1 * (5.0 * record.time.array()).sin().matrix();
+    Dataset angles;
+    angles.states = {{"th", ""}};
+    angles.trajectories = {record};
+    angles.rate_of = {std::nullopt};
+    const BoundRecords records = observed(embed(angles, {{"th", 2}}, FiniteDifferences{}));
+    const auto slip = find_slip(pendulum, records.data, rate_windows(records), {});
+    EXPECT_EQ(slip.has_value(), factor > 1.0);
+    EXPECT_NEAR(slip ? slip->slip.correction : std::numbers::pi / 180.0,
+                std::numbers::pi / 180.0, 1e-12);
+  }
 }
 
 const OdeModel kModel = support::oscillator();  // q, v; F

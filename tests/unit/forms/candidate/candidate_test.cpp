@@ -108,6 +108,12 @@ TEST(Tone, BeginsAtTheLineWithinTheResolutionOfTheRecord) {
   EXPECT_EQ(tone.starts[0], (Vector{{3.0, 0.5}}));
 }
 
+TEST(Tone, HasTwoPeriodsAtLeast) {
+  const Candidate tone = tone_candidate({1, 0.2, 0.5}, support::oscillator_scope());
+  EXPECT_NEAR(tone.shapes[0].low, 0.2, 1e-12);
+  EXPECT_NEAR(tone.shapes[0].high, 0.3, 1e-12);
+}
+
 bool has(const Candidate& general, const Candidate& special) {
   return nests(general, special, special.starts.front(), support::oscillator_scope());
 }

@@ -130,9 +130,10 @@ TEST(DelayFit, WhatIsKnownBeforeStaysWhatItWas) {
   EXPECT_NEAR(late_number(fit(narrow, late_record(31), {}), "tau").value, 7.0, 2e-3);
 }
 
+/// A range whose twelve twelfths are more than it, as doubles are added.
 TEST(DelayFit, HoldsItsRange) {
-  const Fit found = fit(late_system("0.5 in 0..1"), late_record(20), {});
-  EXPECT_NEAR(late_number(found, "d").value, 1.0, 2e-3);
+  const Fit found = fit(late_system("0.5 in 0..0.92"), late_record(20), {});
+  EXPECT_NEAR(late_number(found, "d").value, 0.92, 2e-3);
   EXPECT_EQ(late_number(found, "d").bound, "max");
 }
 
