@@ -351,13 +351,14 @@ TEST(ReadStream, TextHasTheErrorsThatItHasInMemory) {
 
 TEST(ReadStream, ColumnsMayHaveAnotherOrderInOtherFiles) {
   const TemporaryFolder folder;
-  const Matrix values = lorenz_table(100000);
+  const Matrix values = lorenz_table(100000), other = 2.0 * values.topRows(90000);
   const std::string first = saved_as_text(folder, "1.csv", "t,x,y,z", values);
   const std::string second = saved_as_text(folder, "2.csv", "z,y,t,x",
-                                           values(Eigen::all, std::vector<int>{3, 2, 0, 1}));
+                                           other(Eigen::all, std::vector<int>{3, 2, 0, 1}));
   const RecordStream stream = read_stream({first, second});
   ASSERT_EQ(stream.records().size(), 2U);
-  EXPECT_EQ(stream.records()[1]->read(100, 50).states, values.middleRows(100, 50).rightCols(3));
+  EXPECT_EQ(stream.samples(), 190000);
+  EXPECT_EQ(stream.records()[1]->read(100, 50).states, other.middleRows(100, 50).rightCols(3));
 }
 
 TEST(ReadStream, TimeThatGoesBackwardsIsAnError) {

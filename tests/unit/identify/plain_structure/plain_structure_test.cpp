@@ -67,7 +67,11 @@ TEST(PlainStructure, FrictionSharperThanAnyWidthIsAJump) {
   }
   const Dataset data = embed(record_of("x", path, force), {{"x", 2}}, FiniteDifferences{});
   const IdentificationResult found{
-      parse_ode("input u\ndx/dt = x_d1\ndx_d1/dt = 3*u - 2*x_d1\n", "made"), {}, {}, {}, {},
+      parse_ode("input u\ndx/dt = x_d1\ndx_d1/dt = 3*u - 2*x_d1\n", "made"),
+      {},
+      {},
+      {},
+      {},
       {}};
   const auto plain = plain_equations(data, IdentificationTask{}.pipeline, {},
                                      {found, Vector::Zero(1), false, 0.2}, std::nullopt, {});
