@@ -147,6 +147,11 @@ TEST(Qr, BasisTimesTriangleIsTheMatrix) {
   EXPECT_TRUE(qr.triangle().isUpperTriangular(0.0));
 }
 
+TEST(Qr, TriangleHasTheGramMatrixOfTheColumns) {
+  const Matrix r = Qr(tall()).triangle();
+  EXPECT_TRUE((r.transpose() * r).isApprox(tall().transpose() * tall()));
+}
+
 TEST(Qr, WideMatricesHaveAsManyRowsAsTheyHad) {
   const Qr qr(tall().transpose());
   EXPECT_EQ(qr.triangle().rows(), 3);
