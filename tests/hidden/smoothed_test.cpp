@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-// Records that somebody smoothed: no effect is named for what a filter bent, and one that is
-// there is named as in the samples that were measured.
 #include <gtest/gtest.h>
 
 #include <optional>
@@ -9,15 +7,21 @@
 #include <vector>
 
 #include "hidden/support/cases.hpp"
+#include "hidden/support/null_benches.hpp"
 #include "hidden/support/records.hpp"
 #include "hidden/support/score.hpp"
+#include "hidden/support/spikes.hpp"
+#include "hidden/support/twins.hpp"
 #include "hidden/whole_vocabulary.hpp"
 #include "lacuna/data/derivatives/finite_differences.hpp"
+#include "lacuna/model/files/ode_text.hpp"
 #include "lacuna/records/binding/model_view.hpp"
 
 namespace lacuna::hidden {
 namespace {
 
+// Records that somebody smoothed: no effect is named for what a filter bent, and one that is
+// there is named as in the samples that were measured.
 /// Rows that are weighted sums of rows from `before` ahead of each on; fewer by so many
 /// weights.
 Matrix weighted(const Matrix& rows, const std::vector<double>& weights) {
@@ -96,6 +100,48 @@ TEST(Smoothed, StatesThatNobodyMeasuredDoNotMatter) {
   EXPECT_TRUE(says(drag, "means over 9 samples"));
   EXPECT_EQ(of_smoothed("pendulum-null", mean, 4, 1).verdict, Verdict::NoDiscrepancy);
 }
+
+// A few samples that are off have no name: no effect is named for them, and they take none
+// away.
+class Spikes : public ::testing::TestWithParam<SpikeCase> {};
+
+TEST_P(Spikes, HaveNoName) {
+  const SpikeCase one = GetParam();
+  const Diagnosis found = diagnosis_of(spike_model(one.model), spike_record(one, 11), {});
+  EXPECT_NE(found.verdict, Verdict::Explained);
+  for (const NamedEffect& effect : found.effects)
+    ADD_FAILURE() << to_string(found.verdict) << ": " << effect.name << " in "
+                  << effect.equation << ", " << effect.sigma << " sigma";
+}
+
+INSTANTIATE_TEST_SUITE_P(All, Spikes, ::testing::ValuesIn(spike_cases()), [](const auto& one) {
+  std::string name = one.param.name;
+  for (char& c : name)
+    if (c == ' ' || c == ',') c = '_';
+  return name;
+});
+
+// Devices that lack nothing, on benches with faults: none gets a name.
+class NullBench : public ::testing::TestWithParam<BenchFault> {};
+
+TEST_P(NullBench, GetsNoName) {
+  const BenchCase bench = null_bench(GetParam(), 8004);
+  const Diagnosis found =
+      diagnosis_of(bench.hidden.nominal, bench.records.find, bench.records.check);
+  EXPECT_NE(found.verdict, Verdict::Explained) << in_one_line(found);
+  const bool sensor = GetParam() == BenchFault::MovingAverage;
+  for (const NamedEffect& effect : found.effects)
+    EXPECT_TRUE(sensor && (effect.name == "sensor-lag" || effect.name == "channel-skew"))
+        << in_one_line(found);
+}
+
+INSTANTIATE_TEST_SUITE_P(All, NullBench, ::testing::ValuesIn(all_bench_faults()),
+                         [](const auto& one) {
+                           std::string name = to_string(one.param);
+                           for (char& c : name)
+                             if (c == '-') c = '_';
+                           return name;
+                         });
 
 }  // namespace
 }  // namespace lacuna::hidden

@@ -31,10 +31,9 @@ class Devices : public ::testing::Test {
   /// The answer; empty where there is none.
   static Json diagnosed(const std::string& model, const std::string& record,
                         const std::string& other = "") {
-    const CommandResult run = run_program(
-        "diagnose --model " + data(model) + " " + data(record) +
-        (other.empty() ? "" : " --holdout " + data(other)) + " --json -");
-    EXPECT_EQ(run.status, 0) << run.err;
+    const CommandResult run =
+        run_program_well("diagnose --model " + data(model) + " " + data(record) +
+                         (other.empty() ? "" : " --holdout " + data(other)) + " --json -");
     EXPECT_TRUE(support::json_faults(run.out).empty()) << support::json_faults(run.out)[0];
     return run.status == 0 ? Json::parse(run.out) : Json();
   }
@@ -137,10 +136,9 @@ TEST_F(Devices, NamesThatAreLeftOutMakeNoNoise) {
   const std::string model = folder.write(
       "m.ode", "time s\ninput DAC hold zero\nstate ADC\nstate r\ndADC/dt = r\n"
                "dr/dt = 70006.62956*DAC - 70087.50171*ADC - 549.4877419*r\n");
-  const CommandResult run = run_program("diagnose --model " + model + " " +
-                                        data("field/twolevel/prbs_1.csv") + " --holdout " +
-                                        data("field/twolevel/prbs_2.csv") + " --json -");
-  ASSERT_EQ(run.status, 0) << run.err;
+  const CommandResult run =
+      run_program_well("diagnose --model " + model + " " + data("field/twolevel/prbs_1.csv") +
+                       " --holdout " + data("field/twolevel/prbs_2.csv") + " --json -");
   const Json answer = Json::parse(run.out);
   EXPECT_NE(answer["verdict"], "explained");
   EXPECT_LT(answer["gap"]["noise_floor"], 0.01);
@@ -167,9 +165,8 @@ TEST_F(Devices, OneSpikeCarriesNoName) {
   const TemporaryFolder folder;
   const std::string model =
       folder.write("m.ode", "time s\ninput u\nstate w\ndw/dt = -w + u - 0.3*w^3\n");
-  const CommandResult run = run_program("diagnose --model " + model + " " +
-                                        data("field/quarter/spike299.csv") + " --json -");
-  ASSERT_EQ(run.status, 0) << run.err;
+  const CommandResult run = run_program_well("diagnose --model " + model + " " +
+                                             data("field/quarter/spike299.csv") + " --json -");
   EXPECT_EQ(names_in(Json::parse(run.out)), Names{}) << "with the cubic nothing is missing";
 }
 
@@ -197,10 +194,9 @@ TEST_F(Devices, AWallIsNoDelay) {
 /// Each record has its own voltage at rest, the one that was held out too.
 TEST_F(Devices, WhatEachRecordHasForItselfIsFittedOnAPartOfTheHeldOutOne) {
   const std::string cell = data("field/perrecord/");
-  const CommandResult run = run_program("fit " + cell + "cell.ode " + cell + "soc80.csv " +
-                                        cell + "soc70.csv --holdout " + cell +
-                                        "soc60.csv --json -");
-  ASSERT_EQ(run.status, 0) << run.err;
+  const CommandResult run =
+      run_program_well("fit " + cell + "cell.ode " + cell + "soc80.csv " + cell +
+                       "soc70.csv --holdout " + cell + "soc60.csv --json -");
   const Json gap = Json::parse(run.out).at("gap");
   EXPECT_LT(gap.at("after").get<double>(), 1.5 * gap.at("noise_floor").get<double>()) << gap;
 }
@@ -212,10 +208,8 @@ TEST_F(Devices, TwoTanksLackNothing) {
 
 /// dv/dt = 0.8 sin(x) - 0.5 v^3 - 0.2 x^3 - 0.5 x v - x cos(x), with columns of the derivatives.
 TEST_F(Devices, AnOscillatorIsFoundThoughItsDerivativesAreColumns) {
-  const CommandResult run =
-      run_program("identify " + data("devices/oscillators/oscillator1_train.csv.gz") +
-                  " --json -");
-  ASSERT_EQ(run.status, 0) << run.err;
+  const CommandResult run = run_program_well(
+      "identify " + data("devices/oscillators/oscillator1_train.csv.gz") + " --json -");
   const Json answer = Json::parse(run.out);
   Names terms;
   for (const Json& term : answer["model"]["equations"][1]["terms"]) terms.insert(term["term"]);

@@ -14,9 +14,8 @@ nlohmann::json diagnosis_of(const std::string& folder, const std::string& level)
   const std::string base =
       std::string(std::getenv("LACUNA_DATA")) + "/practice/" + folder + "/";
   const CommandResult run =
-      run_program("diagnose --model " + base + "nominal.json " + base + "r1_" + level +
-                  ".csv.gz --holdout " + base + "r2_" + level + ".csv.gz --json -");
-  EXPECT_EQ(run.status, 0) << run.err;
+      run_program_well("diagnose --model " + base + "nominal.json " + base + "r1_" + level +
+                       ".csv.gz --holdout " + base + "r2_" + level + ".csv.gz --json -");
   return nlohmann::json::parse(run.out);
 }
 
@@ -50,10 +49,9 @@ TEST_F(DiagnosePractice, OnlyACoefficientIsOff) {
 
 TEST_F(DiagnosePractice, AllThatAMeasuredPositioningSystemLacksIsDryFrictionAndAForce) {
   const std::string base = std::string(std::getenv("LACUNA_DATA")) + "/emps/";
-  const CommandResult run =
-      run_program("diagnose --model " + base + "nominal.json " + base +
-                  "emps_train.csv.gz --holdout " + base + "emps_validation.csv.gz --json -");
-  ASSERT_EQ(run.status, 0) << run.err;
+  const CommandResult run = run_program_well("diagnose --model " + base + "nominal.json " +
+                                             base + "emps_train.csv.gz --holdout " + base +
+                                             "emps_validation.csv.gz --json -");
   const auto json = nlohmann::json::parse(run.out);
   ASSERT_EQ(json.at("effects").size(), 2u);
   std::map<std::string, double> force;  // N
@@ -66,9 +64,9 @@ TEST_F(DiagnosePractice, AllThatAMeasuredPositioningSystemLacksIsDryFrictionAndA
 }
 
 TEST(DiagnoseCircuit, TellsInWhichEquationsTheAdjustedRosslerCircuitLacksSomething) {
-  const CommandResult run = run_program("diagnose --model rossler-adjusted " LACUNA_SOURCE_DIR
-                                        "/data/tl072_record.csv.gz --max-effects 2 --json -");
-  ASSERT_EQ(run.status, 0) << run.err;
+  const CommandResult run =
+      run_program_well("diagnose --model rossler-adjusted " LACUNA_SOURCE_DIR
+                       "/data/tl072_record.csv.gz --max-effects 2 --json -");
   const auto json = nlohmann::json::parse(run.out);
   EXPECT_EQ(json.at("disagreement").size(), 3u) << "all three equations are off";
   for (const auto& entry : json.at("disagreement"))
@@ -84,23 +82,21 @@ TEST(DiagnoseCircuit, TellsInWhichEquationsTheAdjustedRosslerCircuitLacksSomethi
 
 /// Error of a synchronisation as in the paper: x alone drives, with strength 1.
 double synchronisation_error(const std::string& model) {
-  const CommandResult run =
-      run_program("sync " + model +
-                  " " LACUNA_SOURCE_DIR "/data/tl072_record.csv.gz --coupling x=1 --json -");
-  EXPECT_EQ(run.status, 0) << run.err;
+  const CommandResult run = run_program_well(
+      "sync " + model +
+      " " LACUNA_SOURCE_DIR "/data/tl072_record.csv.gz --coupling x=1 --json -");
   return nlohmann::json::parse(run.out).at("relative").get<double>();
 }
 
 TEST(DiagnoseCircuit, NamesTheLargestPolynomialsAndFillsWhatTheyLeave) {
   const TemporaryFolder place;
   const std::string found = place.file("found.json");
-  const CommandResult run = run_program(
+  const CommandResult run = run_program_well(
       "diagnose --model rossler-adjusted " LACUNA_SOURCE_DIR
       "/data/tl072_record.csv.gz --effect linear-term --effect quadratic-term "
       "--effect cross-term --effect cubic-term --effect constant-offset --fill-gap --json - "
       "--model-out " +
       found);
-  ASSERT_EQ(run.status, 0) << run.err;
   std::map<std::string, std::string> largest;
   const auto json = nlohmann::json::parse(run.out);
   for (const auto& effect : json.at("effects"))

@@ -68,9 +68,8 @@ nlohmann::json diagnosis_of(const std::string& model, const Bench& find, const B
   const std::string nominal = place.write("model.json", model);
   const std::string a = place.write("a.csv", record_of(find, 1));
   const std::string b = place.write("b.csv", record_of(check, 2));
-  const CommandResult run =
-      run_program("diagnose --model " + nominal + " " + a + " --holdout " + b + " --json -");
-  EXPECT_EQ(run.status, 0) << run.err;
+  const CommandResult run = run_program_well("diagnose --model " + nominal + " " + a +
+                                             " --holdout " + b + " --json -");
   return nlohmann::json::parse(run.out);
 }
 

@@ -26,8 +26,7 @@ class Field : public ::testing::Test {
   }
 
   static Json answer_of(const std::string& arguments) {
-    const CommandResult run = run_program(arguments + " --json -");
-    EXPECT_EQ(run.status, 0) << run.err;
+    const CommandResult run = run_program_well(arguments + " --json -");
     return run.status == 0 ? Json::parse(run.out) : Json();
   }
 
@@ -55,12 +54,10 @@ TEST_F(Field, ShortRunsOfThreeSpeciesAreIdentified) {
 TEST_F(Field, TermsThatAreEqualAreAdded) {
   for (const std::string model : {"simple.ode", "simple.json"}) {
     const CommandResult run =
-        run_program("fit " + data("sametwice/" + model) + " " + data("sametwice/s.csv"));
-    EXPECT_EQ(run.status, 0) << run.err;
+        run_program_well("fit " + data("sametwice/" + model) + " " + data("sametwice/s.csv"));
     EXPECT_THAT(run.out, HasSubstr("c     0.99999")) << "dx/dt = -4 c x";
   }
-  EXPECT_EQ(run_program("fit " + data("sametwice/two.ode") + " " + data("sametwice/r.csv")).status,
-            0);
+  run_program_well("fit " + data("sametwice/two.ode") + " " + data("sametwice/r.csv"));
 }
 
 TEST_F(Field, ASlaveThatIsFasterThanTheSamplesIsIntegrated) {
@@ -112,8 +109,7 @@ TEST_F(Field, AStepTestHasTheStateAndTheInput) {
 }
 
 TEST_F(Field, UnitsInASecondRowAreUnits) {
-  const CommandResult run = run_program("check " + data("units_row/units_row_ms.csv"));
-  EXPECT_EQ(run.status, 0) << run.err;
+  const CommandResult run = run_program_well("check " + data("units_row/units_row_ms.csv"));
   EXPECT_THAT(unfolded(run.out), HasSubstr("0 .. 1995 ms"));
   EXPECT_THAT(run.out, HasSubstr("Speed [rpm]"));
   EXPECT_THAT(run.out, HasSubstr("Volt [V]"));

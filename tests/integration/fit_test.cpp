@@ -30,10 +30,9 @@ class FitProgram : public ::testing::Test {
                 std::to_string(1.0 + std::sin(0.07 * i) + 0.5 * std::cos(0.31 * i)) + "\n";
     const std::string truth = folder_.write("truth.ode", kTruth);
     const std::string u = folder_.write("u.csv", inputs);
-    const CommandResult run =
-        run_program("simulate " + truth + " --x0 0.3,0.1 --t-end 40 --dt 0.1 --input-data " +
-                    u + " -o " + folder_.file("all.csv"));
-    EXPECT_EQ(run.status, 0) << run.err;
+    const CommandResult run = run_program_well(
+        "simulate " + truth + " --x0 0.3,0.1 --t-end 40 --dt 0.1 --input-data " + u + " -o " +
+        folder_.file("all.csv"));
     std::istringstream lines(folder_.read("all.csv"));
     std::istringstream drive(inputs);
     std::string record = "t,u,y\n", line, other;
@@ -64,8 +63,7 @@ dx2/dt = a*x1 - b*x2
 y = x2
 fixed dx1/dt: u
 )");
-  const CommandResult result = run_program("fit " + path + " " + data_ + " --json -");
-  ASSERT_EQ(result.status, 0) << result.err;
+  const CommandResult result = run_program_well("fit " + path + " " + data_ + " --json -");
   const auto json = nlohmann::json::parse(result.out);
   EXPECT_EQ(json["identifiable"], true);
   ASSERT_EQ(json["parameters"].size(), 2u);
@@ -76,8 +74,7 @@ fixed dx1/dt: u
 
 TEST_F(FitProgram, SaysThatAHiddenStateIsNotDetermined) {
   const CommandResult result =
-      run_program("fit " + model(std::string(kTruth) + "dz/dt = -z + x1\n") + " " + data_);
-  EXPECT_EQ(result.status, 0) << result.err;
+      run_program_well("fit " + model(std::string(kTruth) + "dz/dt = -z + x1\n") + " " + data_);
   EXPECT_THAT(unfolded(result.out),
               HasSubstr("the state z cannot be determined from what is measured"));
 }
@@ -102,17 +99,13 @@ TEST(IdentifiedModel, HasTheSameNumbersWhenItIsFitted) {
   const std::string truth = folder.write(
       "truth.ode", "dx/dt = -9.2*x + 9.2*y\ndy/dt = 27*x - y - x*z\ndz/dt = x*y - 2.4*z\n");
   const std::string data = folder.file("run.csv"), model = folder.file("found.json");
-  ASSERT_EQ(run_program("simulate " + truth +
-                        " --x0 1,2,20 --t-end 24 --dt 0.02 --noise x=0.2,y=0.2,z=0.2 --seed 5 "
-                        "-o " +
-                        data)
-                .status,
-            0);
+  run_program_well("simulate " + truth +
+                   " --x0 1,2,20 --t-end 24 --dt 0.02 --noise x=0.2,y=0.2,z=0.2 --seed 5 "
+                   "-o " +
+                   data);
   const CommandResult identified =
-      run_program("identify " + data + " --model-out " + model + " --json -");
-  ASSERT_EQ(identified.status, 0) << identified.err;
-  const CommandResult fitted = run_program("fit " + model + " " + data + " --json -");
-  ASSERT_EQ(fitted.status, 0) << fitted.err;
+      run_program_well("identify " + data + " --model-out " + model + " --json -");
+  const CommandResult fitted = run_program_well("fit " + model + " " + data + " --json -");
   const auto found = numbers_in(nlohmann::json::parse(identified.out)["model"]);
   const std::map<std::string, double> true_numbers = {
       {"x: x", -9.2},   {"x: y", 9.2},   {"y: x", 27.0}, {"y: y", -1.0},

@@ -123,17 +123,14 @@ std::vector<FmuCase> fmu_cases() {
 void expect_same_run(const FmuCase& one) {
   const TemporaryFolder place;
   const std::string model = place.write("m.ode", one.model), fmu = place.file("m.fmu");
-  const CommandResult written = run_program("export " + model + " --format fmu -o " + fmu);
-  ASSERT_EQ(written.status, 0) << written.err;
+  const CommandResult written = run_program_well("export " + model + " --format fmu -o " + fmu);
   std::string inputs;
   if (one.input)
     inputs = " --input-data " +
              place.write("u.csv", "t,u\n0," + std::to_string(*one.input) + "\n9," +
                                       std::to_string(*one.input) + "\n");
-  ASSERT_EQ(run_program("simulate " + model + " --x0 " + one.start + inputs +
-                        " --t-end 2 --dt 0.1 --integrator dopri87 -o " + place.file("run.csv"))
-                .status,
-            0);
+  run_program_well("simulate " + model + " --x0 " + one.start + inputs +
+                   " --t-end 2 --dt 0.1 --integrator dopri87 -o " + place.file("run.csv"));
   const auto files = stored_files(place.read("m.fmu"));
   ASSERT_TRUE(files.contains("modelDescription.xml"));
   ASSERT_TRUE(files.contains("sources/lacuna_model.c"));
@@ -175,7 +172,7 @@ TEST(Fmu, RunsAsSimulateDoes) {
 TEST(Fmu, ParametersOfAnInstanceAreItsOwn) {
   const TemporaryFolder place;
   const std::string model = place.write("m.ode", "param k = 1\ndx/dt = -k*x\ninitial x = 1\n");
-  ASSERT_EQ(run_program("export " + model + " --format fmu -o " + place.file("m.fmu")).status, 0);
+  run_program_well("export " + model + " --format fmu -o " + place.file("m.fmu"));
   const auto files = stored_files(place.read("m.fmu"));
   std::smatch guid;
   const std::string description = files.at("modelDescription.xml");

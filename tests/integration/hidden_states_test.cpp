@@ -43,11 +43,10 @@ class HiddenStates : public ::testing::Test {
     const std::string u = folder_.write("u.csv", "t,u\n" + drive.str());
     const std::string all = folder_.file("all.csv");
     const CommandResult run =
-        run_program("simulate " + folder_.write("truth.ode", bench.truth) +
-                    " --x0 0.1,0 --dt " + format_number(bench.step, 17) + " --t-end " +
-                    format_number((bench.samples - 1) * bench.step, 17) + " --input-data " + u +
-                    " -o " + all);
-    EXPECT_EQ(run.status, 0) << run.err;
+        run_program_well("simulate " + folder_.write("truth.ode", bench.truth) +
+                         " --x0 0.1,0 --dt " + format_number(bench.step, 17) + " --t-end " +
+                         format_number((bench.samples - 1) * bench.step, 17) +
+                         " --input-data " + u + " -o " + all);
     return folder_.write(name, with_noise(bench, folder_.read("all.csv"), drive.str()));
   }
 
@@ -76,9 +75,8 @@ class HiddenStates : public ::testing::Test {
     const std::string train = record(bench, "train.csv", 0.3);
     const std::string test = record(bench, "test.csv", 1.1);
     const CommandResult run =
-        run_program("diagnose --model " + folder_.write("nominal.ode", nominal) + " " + train +
-                    " --holdout " + test + " --json -");
-    EXPECT_EQ(run.status, 0) << run.err;
+        run_program_well("diagnose --model " + folder_.write("nominal.ode", nominal) + " " +
+                         train + " --holdout " + test + " --json -");
     return Json::parse(run.out);
   }
 

@@ -34,10 +34,9 @@ std::optional<std::string> measurements() {
 TEST(MeasuredData, EmpsParametersAreWithinThreePercentOfThePublishedOnes) {
   const auto folder = measurements();
   if (!folder) GTEST_SKIP() << "LACUNA_DATA is not set";
-  const CommandResult result = run_program(
+  const CommandResult result = run_program_well(
       "identify " + *folder + "/emps/emps_train.csv.gz --time t --states q --inputs F " +
       "--embed q=2 --terms 'sign(q_d1),1,F,q_d1' --json -");
-  ASSERT_EQ(result.status, 0) << result.err;
   const auto json = nlohmann::json::parse(result.out);
   std::map<std::string, double> found;
   for (const auto& term : json["model"]["equations"][1]["terms"])
@@ -111,9 +110,8 @@ nlohmann::json silverbox_diagnosis(const Dataset& all, Index samples,
   const std::string train = place.write("train.csv", text_of(part(all, 40650, samples)));
   const std::string test = place.write("test.csv", text_of(part(all, 105712, 8692)));
   const CommandResult run =
-      run_program("diagnose --model " + nominal + " " + train + " --holdout " + test +
-                  " --model-out " + model_out + " --json -");
-  EXPECT_EQ(run.status, 0) << run.err;
+      run_program_well("diagnose --model " + nominal + " " + train + " --holdout " + test +
+                       " --model-out " + model_out + " --json -");
   return nlohmann::json::parse(run.out);
 }
 

@@ -13,6 +13,7 @@ namespace lacuna {
 namespace {
 
 using testing::run_program;
+using testing::run_program_well;
 using testing::TemporaryFolder;
 
 // Open MPI itself leaves memory when it ends; what lacuna leaves is seen without it. Processes
@@ -41,7 +42,7 @@ TEST(Mpi, ResultsAreThoseOfOneProcessToTheBit) {
   if (!has_mpi()) GTEST_SKIP() << "there is no MPI";
   const TemporaryFolder folder;
   const std::string arguments = "identify " + long_file(folder) + " --json ";
-  ASSERT_EQ(run_program(arguments + folder.file("one.json")).status, 0);
+  run_program_well(arguments + folder.file("one.json"));
   for (const int processes : {1, 3}) {
     ASSERT_TRUE(testing::can_run(job(processes, arguments + folder.file("many.json"))));
     EXPECT_EQ(folder.read("many.json"), folder.read("one.json")) << processes;
@@ -59,7 +60,7 @@ TEST(Mpi, TextIsReadInPiecesByEachProcess) {
   file.close();
   const std::string arguments = "identify " + folder.file("a.csv") +
                                 " --map t=1,x=2,v=3 --degree 1 --memory 16MB --json ";
-  ASSERT_EQ(run_program(arguments + folder.file("one.json")).status, 0);
+  run_program_well(arguments + folder.file("one.json"));
   ASSERT_TRUE(testing::can_run(job(2, arguments + folder.file("many.json"))));
   EXPECT_EQ(folder.read("many.json"), folder.read("one.json"));
 }
@@ -76,7 +77,7 @@ TEST(Mpi, AFleetOfRecordsIsDivided) {
   }
   const std::string arguments = "diagnose --each --model " + folder.file("m.ode") + " '" +
                                 folder.file("?.csv") + "' --json ";
-  ASSERT_EQ(run_program(arguments + folder.file("one.json")).status, 0);
+  run_program_well(arguments + folder.file("one.json"));
   ASSERT_TRUE(testing::can_run(job(2, arguments + folder.file("two.json"))));
   EXPECT_EQ(folder.read("two.json"), folder.read("one.json"));
 }

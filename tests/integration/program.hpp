@@ -29,6 +29,13 @@ inline CommandResult run_program(const std::string& arguments, const std::string
   return {exit_status(status), folder.read("out"), folder.read("err")};
 }
 
+/// The same of a command that has to end with status 0.
+inline CommandResult run_program_well(const std::string& arguments) {
+  CommandResult result = run_program(arguments);
+  EXPECT_EQ(result.status, 0) << arguments << ": " << result.err;
+  return result;
+}
+
 /// Expects an error of one line that has all the given parts.
 inline void expect_program_error(const std::string& arguments, int status,
                                  const std::vector<std::string>& parts) {

@@ -13,12 +13,11 @@ namespace {
 TEST(Program, IdentifiesSavesSimulatesAndSynchronises) {
   const TemporaryFolder folder;
   const std::string orbit = folder.file("o.csv"), model = folder.file("m.json");
-  EXPECT_EQ(run_program("simulate lorenz --x0 1,1,20 --t-end 20 --dt 0.005 -o " + orbit).status,
-            0);
-  EXPECT_EQ(run_program("identify " + orbit + " --degree 2 --model-out " + model).status, 0);
+  run_program_well("simulate lorenz --x0 1,1,20 --t-end 20 --dt 0.005 -o " + orbit);
+  run_program_well("identify " + orbit + " --degree 2 --model-out " + model);
   const CommandResult sync = run_program("sync " + model + " " + orbit + " --json -");
   EXPECT_LT(nlohmann::json::parse(sync.out)["relative"].get<double>(), 1e-3);
-  EXPECT_EQ(run_program("simulate " + model + " --x0 1,1,20 --t-end 1 --dt 0.1").status, 0);
+  run_program_well("simulate " + model + " --x0 1,1,20 --t-end 1 --dt 0.1");
 }
 
 /// On a terminal of its own, which `script` makes. @param typed what the person types.
@@ -39,8 +38,7 @@ TEST(Program, WithoutACommandATerminalShowsWhatToTry) {
 }
 
 TEST(Program, DemoShowsALineAndRunsIt) {
-  const CommandResult result = run_program("demo check");
-  EXPECT_EQ(result.status, 0) << result.err;
+  const CommandResult result = run_program_well("demo check");
   EXPECT_THAT(result.out, ::testing::HasSubstr("$ lacuna check "));
   EXPECT_THAT(result.out, ::testing::HasSubstr("4000 rows"));
   EXPECT_EQ(result.out.find("lacuna identify"), std::string::npos);
@@ -62,11 +60,9 @@ TEST(Program, ATerminalIsAskedWhatColumnsAre) {
 TEST(Program, IdentifiesAStateThatNobodyMeasured) {
   const TemporaryFolder folder;
   const std::string orbit = folder.file("orbit.csv"), model = folder.file("model.json");
-  ASSERT_EQ(run_program("simulate lorenz --x0 1,1,20 --t-end 20 --dt 0.02 -o " + orbit).status,
-            0);
-  const CommandResult result = run_program(
+  run_program_well("simulate lorenz --x0 1,1,20 --t-end 20 --dt 0.02 -o " + orbit);
+  const CommandResult result = run_program_well(
       "identify " + orbit + " --states x,z --hidden 1 --degree 2 --model-out " + model);
-  EXPECT_EQ(result.status, 0) << result.err;
   EXPECT_THAT(unfolded(result.out), ::testing::HasSubstr("h1 was not measured"));
   const OdeModel found = read_model(model);
   EXPECT_EQ(found.dimension(), 3);
@@ -78,22 +74,17 @@ TEST(Program, IdentifiesAStateThatNobodyMeasured) {
 TEST(Program, EquationsHaveLibrariesOfTheirOwn) {
   const TemporaryFolder folder;
   const std::string orbit = folder.file("orbit.csv"), model = folder.file("model.json");
-  ASSERT_EQ(run_program("simulate lorenz --x0 1,1,20 --t-end 5 --dt 0.01 -o " + orbit).status,
-            0);
+  run_program_well("simulate lorenz --x0 1,1,20 --t-end 5 --dt 0.01 -o " + orbit);
   const std::string identify = "identify " + orbit;
-  EXPECT_EQ(run_program(identify + " --equation 'dx: x, y' --equation 'z: z, x*y, sin(z)'" +
-                        " --add 'abs(y)' --degree 2 --model-out " + model)
-                .status,
-            0);
+  run_program_well(identify + " --equation 'dx: x, y' --equation 'z: z, x*y, sin(z)'" +
+                   " --add 'abs(y)' --degree 2 --model-out " + model);
   const OdeModel found = read_model(model);
   EXPECT_NEAR(found.coefficient(0, "x"), -10.0, 0.01);
   EXPECT_EQ(found.equations()[2].size(), 2U);
-  ASSERT_EQ(run_program(identify +
-                        " --degree 2 --fix 'dy: y = -1.5' --constraint "
-                        "energy-preserving --model-out " +
-                        model)
-                .status,
-            0);
+  run_program_well(identify +
+                   " --degree 2 --fix 'dy: y = -1.5' --constraint "
+                   "energy-preserving --model-out " +
+                   model);
   EXPECT_EQ(read_model(model).coefficient(1, "y"), -1.5);
   expect_program_error(identify + " --fix 'x: y = 1' --fix 'x: y = 2'", 2,
                        {"given twice", "x: y = 1"});

@@ -36,8 +36,7 @@ std::string record(double stiffness) {
 /// Runs a command with --report and gives the page.
 std::string page_of(const TemporaryFolder& folder, const std::string& arguments) {
   const CommandResult result =
-      run_program(arguments + " --report '" + folder.file("page.html") + "'");
-  EXPECT_EQ(result.status, 0) << result.err;
+      run_program_well(arguments + " --report '" + folder.file("page.html") + "'");
   return folder.read("page.html");
 }
 
@@ -92,8 +91,8 @@ TEST_F(Reports, OfASyncSaysWhetherTheModelHolds) {
 
 TEST_F(Reports, PicturesAreFilesToo) {
   const std::string pictures = folder_.file("pictures");
-  const CommandResult result = run_program(arguments("sync") + " --plot '" + pictures + "'");
-  ASSERT_EQ(result.status, 0) << result.err;
+  const CommandResult result =
+      run_program_well(arguments("sync") + " --plot '" + pictures + "'");
   int count = 0;
   for (const auto& entry : std::filesystem::directory_iterator(pictures)) {
     EXPECT_EQ(entry.path().extension(), ".svg");
@@ -202,10 +201,8 @@ TEST_F(Reports, TermsOfEquationsAreWholeOnPaperAndOnAPhone) {
       "time s\ninput F hold smooth\nstate x [m]\nstate v [m/s]\ndx/dt = v\ndv/dt = -4*x - 0.2*v + "
       "F + 0.3*tanh(x/0.12345)*cos(0.98765*v)*exp(-(x/1.2345)^2)*(1 + 0.54321*abs(v))\n");
   const std::string wanted = folder_.file("bench.csv");
-  ASSERT_EQ(run_program("simulate '" + bench + "' --x0 0.5,0 --t-end 40 --dt 0.02 --noise " +
-                        "x=0.002,v=0.004 -o '" + wanted + "'")
-                .status,
-            0);
+  run_program_well("simulate '" + bench + "' --x0 0.5,0 --t-end 40 --dt 0.02 --noise " +
+                   "x=0.002,v=0.004 -o '" + wanted + "'");
   const std::string html =
       page_of(folder_, "diagnose --model '" + nominal + "' '" + wanted + "'");
   for (const int width : {390, 1280})

@@ -50,8 +50,7 @@ class Schemas : public ::testing::Test {
 
   /// Runs a command and holds what it writes against a schema.
   void expect_conforms(const std::string& schema, const std::string& arguments) {
-    const CommandResult result = run_program(arguments + " --json " + path("out.json"));
-    EXPECT_EQ(result.status, 0) << result.err;
+    const CommandResult result = run_program_well(arguments + " --json " + path("out.json"));
     EXPECT_EQ(violation(schema, folder_.read("out.json")), "") << arguments;
   }
 
@@ -94,8 +93,7 @@ TEST_F(Schemas, DescribeModels) {
       "input u [V] hold zero\nparam k = 0.05 [1/s] in 0..1\ndx1/dt = -k*sqrt(x1) + u\n"
       "dx2/dt = k*sqrt(x1) - 0.05*sqrt(x2)\ny = x2 [V]\ninitial x2 = 0 fixed\n");
   const CommandResult result =
-      run_program("model " + path("all.ode") + " -o " + path("all.json"));
-  EXPECT_EQ(result.status, 0) << result.err;
+      run_program_well("model " + path("all.ode") + " -o " + path("all.json"));
   EXPECT_EQ(violation("model", folder_.read("all.json")), "");
 }
 

@@ -22,8 +22,7 @@ std::size_t width_of(const std::string& line) {
 
 /// Expects an answer of at most 80 columns and 40 lines. @return what was shown.
 std::string expect_a_screen(const std::string& arguments) {
-  const CommandResult result = run_program(arguments);
-  EXPECT_EQ(result.status, 0) << result.err;
+  const CommandResult result = run_program_well(arguments);
   std::istringstream lines(result.out);
   std::size_t count = 0;
   for (std::string line; std::getline(lines, line); ++count)
@@ -36,11 +35,10 @@ std::string expect_a_screen(const std::string& arguments) {
 class Screens : public ::testing::Test {
  protected:
   Screens() {
-    EXPECT_EQ(run_program("simulate lorenz --x0 1,1,20 --t-end 20 --dt 0.01 --noise "
-                          "x=0.08,y=0.08,z=0.08 -o " +
-                          orbit_)
-                  .status,
-              0);
+    run_program_well(
+        "simulate lorenz --x0 1,1,20 --t-end 20 --dt 0.01 --noise "
+        "x=0.08,y=0.08,z=0.08 -o " +
+        orbit_);
   }
 
   TemporaryFolder folder_;
@@ -92,13 +90,13 @@ TEST_F(Screens, SynchronisationAndComparison) {
 /// What is rounded for people still is the model, within the intervals of its coefficients.
 TEST_F(Screens, ARoundedModelHasTheSameOrbit) {
   const std::string text = folder_.file("m.ode"), json = folder_.file("m.json");
-  ASSERT_EQ(run_program("identify " + orbit_ + " --model-out " + text).status, 0);
-  ASSERT_EQ(run_program("identify " + orbit_ + " --model-out " + json).status, 0);
+  run_program_well("identify " + orbit_ + " --model-out " + text);
+  run_program_well("identify " + orbit_ + " --model-out " + json);
   const std::string written = folder_.read("m.ode");
   EXPECT_THAT(written, ::testing::ContainsRegex("dx/dt = -[0-9.]{5,7}\\*x \\+ [0-9.]{5,7}\\*y\n"));
   const std::string run = " --x0 1,1,20 --t-end 0.5 --dt 0.5 -o ";
-  ASSERT_EQ(run_program("simulate " + text + run + folder_.file("a.csv")).status, 0);
-  ASSERT_EQ(run_program("simulate " + json + run + folder_.file("b.csv")).status, 0);
+  run_program_well("simulate " + text + run + folder_.file("a.csv"));
+  run_program_well("simulate " + json + run + folder_.file("b.csv"));
   const auto last_x = [&](const std::string& name) {
     const std::string table = folder_.read(name);
     const std::string row = table.substr(table.rfind("\n", table.size() - 2) + 1);

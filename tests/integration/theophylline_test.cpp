@@ -18,9 +18,8 @@ using ::testing::HasSubstr;
 const std::string kExamples = std::string(LACUNA_SOURCE_DIR) + "/examples/theophylline/";
 
 json fitted(const std::string& models) {
-  const CommandResult run = run_program("fit " + models + " " + kExamples +
-                                        "theophylline.csv --trajectory subject --json -");
-  EXPECT_EQ(run.status, 0) << run.err;
+  const CommandResult run = run_program_well("fit " + models + " " + kExamples +
+                                             "theophylline.csv --trajectory subject --json -");
   return json::parse(run.out);
 }
 

@@ -8,6 +8,7 @@
 
 #include "lacuna/forms/candidate/scope.hpp"
 #include "lacuna/model/files/model_file.hpp"
+#include "support/one_record.hpp"
 
 namespace lacuna::support {
 
@@ -33,9 +34,6 @@ inline OdeModel runaway() {
 
 /// 1001 samples of 10 s; q swings in +-1, v in +-2, F in +-0.5.
 inline Dataset oscillator_record() {
-  Dataset data;
-  data.states = {{"q", "m"}, {"v", "m/s"}};
-  data.inputs = {{"F", "N"}};
   Trajectory record;
   record.source = "made";
   record.time = Vector::LinSpaced(1001, 0.0, 10.0);
@@ -43,8 +41,7 @@ inline Dataset oscillator_record() {
   record.states.col(0) = (2.0 * record.time.array()).sin();
   record.states.col(1) = 2.0 * (2.0 * record.time.array()).cos();
   record.inputs = 0.5 * (3.0 * record.time.array()).sin().matrix();
-  data.trajectories = {record};
-  return data;
+  return support::one_record({{"q", "m"}, {"v", "m/s"}}, {{"F", "N"}}, record);
 }
 
 inline Scope oscillator_scope() {

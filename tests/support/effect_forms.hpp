@@ -9,6 +9,7 @@
 #include "lacuna/effects/effect_family.hpp"
 #include "lacuna/model/files/model_file.hpp"
 #include "support/diagnosis_scope.hpp"
+#include "support/one_record.hpp"
 
 namespace lacuna::support {
 
@@ -87,9 +88,6 @@ inline OdeModel model_of_lines(const std::vector<LineOfTerms>& lines,
 
 /// A scope in which every variable swings about `centre` by 1, each at a pace of its own.
 inline Scope scope_of(const OdeModel& model, double centre = 0.0) {
-  Dataset data;
-  data.states = model.states();
-  data.inputs = model.inputs();
   const Index m = model.dimension(), p = static_cast<Index>(model.inputs().size());
   Trajectory record;
   record.time = Vector::LinSpaced(2001, 0.0, 40.0);
@@ -100,7 +98,7 @@ inline Scope scope_of(const OdeModel& model, double centre = 0.0) {
         centre + (record.time.array() * (1.0 + 0.37 * static_cast<double>(k))).sin();
     (k < m ? record.states.col(k) : record.inputs.col(k - m)) = swing;
   }
-  data.trajectories = {record};
+  Dataset data = support::one_record(model.states(), model.inputs(), record);
   return make_scope(model, data, Vector::Constant(m, 0.01));
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "support/noisy_records.hpp"
+#include "support/one_record.hpp"
 
 namespace lacuna {
 
@@ -38,18 +39,14 @@ inline Dataset lorenz96_record(Index m, Index samples, double fraction, std::uin
   const Solution orbit =
       simulate(model, Dopri8{}, start, sample_times(0.0, kStep, kTransient + samples));
   Random random(seed);
-  Dataset data;
-  data.states = model.states();
   Trajectory record;
   record.source = "lorenz-96";
   record.time = sample_times(0.0, kStep, samples);
   record.states = orbit.states.bottomRows(samples);
-  record.inputs.resize(samples, 0);
   const Vector sigma = fraction * spread(record.states);
   for (Index k = 0; k < m; ++k)
     for (Index i = 0; i < samples; ++i) record.states(i, k) += sigma[k] * random.normal();
-  data.trajectories.push_back(std::move(record));
-  return data;
+  return support::one_record(model.states(), {}, std::move(record));
 }
 
 }  // namespace lacuna

@@ -13,6 +13,7 @@
 #include "lacuna/dynamics/integration/runge_kutta.hpp"
 #include "lacuna/dynamics/integration/simulate.hpp"
 #include "lacuna/dynamics/test_systems/test_systems.hpp"
+#include "support/one_record.hpp"
 
 namespace lacuna {
 
@@ -31,18 +32,14 @@ inline Dataset noisy_record(const std::string& name, Index samples, double fract
   const Solution orbit = simulate(system.model, Dopri8{}, system.start,
                                   sample_times(0.0, system.step, transient + samples));
   Random random(seed);
-  Dataset data;
-  data.states = system.model.states();
   Trajectory record;
   record.source = name;
   record.time = sample_times(0.0, system.step, samples);
   record.states = orbit.states.bottomRows(samples);
-  record.inputs.resize(samples, 0);
   const Vector sigma = fraction * spread(record.states);
   for (Index k = 0; k < record.states.cols(); ++k)
     for (Index i = 0; i < samples; ++i) record.states(i, k) += sigma[k] * random.normal();
-  data.trajectories.push_back(std::move(record));
-  return data;
+  return support::one_record(system.model.states(), {}, std::move(record));
 }
 
 inline TermLibrary quadratic_library(const OdeModel& model) {

@@ -31,17 +31,34 @@ inline std::string npy_file(const std::string& type, const std::string& shape,
   return std::string("\x93NUMPY\x01\x00", 8) + bytes_of({header.size()}, 2) + header + data;
 }
 
-/// A zip archive of stored files (APPNOTE 6.3.9, sections 4.3.7, 4.3.12, 4.3.16).
-inline std::string zip_archive(const std::vector<std::pair<std::string, std::string>>& files) {
+/// A raw deflate stream (RFC 1951).
+inline std::string deflated(const std::string& content) {
+  std::string packed(content.size() + 100, '\0');
+  z_stream stream{};
+  deflateInit2(&stream, 9, Z_DEFLATED, -MAX_WBITS, 8, Z_DEFAULT_STRATEGY);
+  stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(content.data()));
+  stream.avail_in = static_cast<uInt>(content.size());
+  stream.next_out = reinterpret_cast<Bytef*>(packed.data());
+  stream.avail_out = static_cast<uInt>(packed.size());
+  deflate(&stream, Z_FINISH);
+  packed.resize(stream.total_out);
+  deflateEnd(&stream);
+  return packed;
+}
+
+/// A zip archive (APPNOTE 6.3.9, sections 4.3.7, 4.3.12, 4.3.16).
+inline std::string zip_archive(const std::vector<std::pair<std::string, std::string>>& files,
+                               bool pack = false) {
   std::string content, directory;
   for (const auto& [name, bytes] : files) {
+    const std::string stored = pack ? deflated(bytes) : bytes;
     const auto crc = crc32_z(0, reinterpret_cast<const Bytef*>(bytes.data()), bytes.size());
-    const std::string common = bytes_of({0}, 2) + bytes_of({0}, 4) + bytes_of({crc}, 4) +
-                               bytes_of({bytes.size()}, 4) + bytes_of({bytes.size()}, 4) +
-                               bytes_of({name.size()}, 2);
+    const std::string common = bytes_of({pack ? 8U : 0U}, 2) + bytes_of({0}, 4) +
+                               bytes_of({crc}, 4) + bytes_of({stored.size()}, 4) +
+                               bytes_of({bytes.size()}, 4) + bytes_of({name.size()}, 2);
     directory += "PK\x01\x02" + bytes_of({20, 20, 0}, 2) + common + bytes_of({0, 0}, 2) +
                  bytes_of({0}, 8) + bytes_of({content.size()}, 4) + name;
-    content += "PK\x03\x04" + bytes_of({20, 0}, 2) + common + bytes_of({0}, 2) + name + bytes;
+    content += "PK\x03\x04" + bytes_of({20, 0}, 2) + common + bytes_of({0}, 2) + name + stored;
   }
   return content + directory + "PK\x05\x06" + bytes_of({0}, 4) +
          bytes_of({files.size(), files.size()}, 2) + bytes_of({directory.size()}, 4) +

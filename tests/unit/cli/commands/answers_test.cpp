@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+
 #include "cli/commands/answers.hpp"
 
 #include "lacuna/bases/expressions.hpp"
@@ -8,9 +9,12 @@
 namespace lacuna {
 namespace {
 
+using testing::expect_refused;
 using ::testing::HasSubstr;
 using testing::Records;
 using testing::run_command;
+using testing::run_well;
+using testing::TemporaryFolder;
 
 /// The record of the oscillator as a table in memory.
 cli::DataOptions in_memory(const Records& records) {
@@ -77,6 +81,61 @@ TEST(Answers, TwoRecordsAreComparedAndNoMore) {
   EXPECT_TRUE(found.report.agree());
   request.data.tables.push_back(request.data.tables.front());
   EXPECT_THROW(answer(default_registry(), request, {}), ConfigError);
+}
+
+TEST(BenchCommand, ComparesPartsOnATestSystem) {
+  const TemporaryFolder folder;
+  const auto result = run_well({"bench", "lorenz", "--parts", "regressor=ols,stlsq", "--parts",
+                                "pruner=keep-all", "--noise", "0,0.01", "--draws", "2",
+                                "--degree", "2", "--csv", folder.file("b.csv"), "--report",
+                                folder.file("b.html"), "--samples", "1500"});
+  EXPECT_THAT(result.out, HasSubstr("Noise 0 %"));
+  EXPECT_THAT(result.out, HasSubstr("Without a refiner"));
+  const std::string csv = folder.read("b.csv");
+  EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 5);
+  EXPECT_THAT(csv, HasSubstr("regressor,pruner,noise %,draws"));
+  EXPECT_THAT(csv, HasSubstr("stlsq,keep-all,0,1,0,1,"));
+  EXPECT_THAT(csv, HasSubstr("ols,keep-all,0.01,2,0,0,"));
+  EXPECT_THAT(folder.read("b.html"), HasSubstr("class=\"heat\""));
+}
+
+TEST(BenchCommand, ComparesOnARecordWithNumbersOfTheConfigurationToo) {
+  const Records records;
+  const auto result =
+      run_well({"bench", records.rossler(), "--parts", "regressor.threshold=0.05,1000", "--set",
+                "regressor=stlsq", "--degree", "2", "--csv", "-"});
+  EXPECT_THAT(result.out, HasSubstr("regressor.threshold,noise %"));
+  EXPECT_THAT(result.out, ::testing::Not(HasSubstr("exact %")));
+}
+
+TEST(BenchCommand, AllTakesEveryVariantOfAKind) {
+  const auto result = run_well({"bench", "lorenz", "--parts", "differentiator=all", "--degree",
+                                "2", "--samples", "400", "--csv", "-"});
+  for (const char* name : {"finite-differences", "kalman", "smoothing-spline", "auto"})
+    EXPECT_THAT(result.out, HasSubstr(std::string("\n") + name + ","));
+}
+
+TEST(BenchCommand, ComparesRefinersWhereTheyAreAskedFor) {
+  const auto result = run_well({"bench", "lorenz", "--parts", "refiner=none,trajectory",
+                                "--degree", "2", "--samples", "400"});
+  EXPECT_THAT(result.out, HasSubstr("trajectory"));
+  EXPECT_THAT(result.out, ::testing::Not(HasSubstr("Without a refiner")));
+}
+
+TEST(BenchCommand, SaysWhatIsWrong) {
+  expect_refused({"bench", "lorenz", "--parts", "regressor"}, {"KIND=a,b"});
+  expect_refused({"bench", "lorenz", "--parts", "regressor=olss"}, {"ols"});
+  expect_refused({"bench", "lorenz", "--parts", "regressor=ols,ols"}, {"twice"});
+  expect_refused({"bench", "lorenz", "--parts", "filter=abm", "--noise", "x"}, {"percent"});
+  expect_refused({"bench", "no_such.csv", "--parts", "filter=abm"}, {"no_such.csv"});
+}
+
+TEST(BenchCommand, ADegreeIsThatOfTheBasesThatHaveOne) {
+  const auto result = run_well({"bench", "lorenz", "--parts", "basis=monomials,fourier",
+                                "--degree", "2", "--samples", "400", "--csv", "-"});
+  expect_refused(
+      {"bench", "lorenz", "--parts", "pruner=all", "--degree", "2", "--set", "basis=fourier"},
+      {"--set basis=fourier", "basis.type"});
 }
 
 }  // namespace

@@ -1,33 +1,27 @@
 // SPDX-License-Identifier: MIT
+
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
+#include "lacuna/model/files/model_file.hpp"
 #include "unit/cli/commands/records.hpp"
 
 namespace lacuna {
 namespace {
 
-using testing::expect_failure;
+using testing::expect_refused;
 using ::testing::HasSubstr;
+using testing::json_of;
 using ::testing::Not;
 using testing::Records;
 using testing::run_command;
-
-TEST(CheckCommand, ShowsWhatWouldBeRead) {
-  const Records records;
-  const auto result = run_command({"check", records.oscillator(), "--inputs", "u"});
-  EXPECT_EQ(result.status, 0) << result.err;
-  EXPECT_THAT(result.out, HasSubstr("400 rows"));
-  EXPECT_THAT(result.out, HasSubstr("x [m]"));
-  EXPECT_THAT(result.out, HasSubstr("input"));
-}
+using testing::run_well;
 
 TEST(CheckCommand, AModelSaysTheRoles) {
   const Records records;
-  const auto result = run_command(
-      {"check", records.oscillator(), "--model", records.oscillator_model(), "--json", "-"});
-  EXPECT_EQ(result.status, 0) << result.err;
-  const auto json = nlohmann::json::parse(result.out);
+  const auto json =
+      json_of({"check", records.oscillator(), "--model", records.oscillator_model()});
   EXPECT_EQ(json["columns"][1]["name"], "v");
   EXPECT_EQ(json["columns"][1]["measured"], false);
   EXPECT_EQ(json["columns"][2]["role"], "input");
@@ -43,18 +37,8 @@ TEST(CheckCommand, SlipsOfUnitsAreHints) {
             std::to_string(std::sin(t)) + "\n";
   }
   const std::string slow = records.folder().write("ms.csv", text);
-  const auto result = run_command({"check", slow, "--model", records.oscillator_model()});
-  EXPECT_EQ(result.status, 0) << result.err;
+  const auto result = run_well({"check", slow, "--model", records.oscillator_model()});
   EXPECT_THAT(result.out, HasSubstr("time-unit"));
-}
-
-TEST(CheckCommand, FilesThatAreNoRecordsAreNamed) {
-  const Records records;
-  const std::string book = records.folder().write("a.xlsx", "PK\x03\x04....xl/workbook.xml");
-  expect_failure(run_command({"check", book}), 2,
-                 {"the archive is cut short", "the sheet as .csv"});
-  const std::string parquet = records.folder().write("a.parquet", "PAR1....");
-  expect_failure(run_command({"check", parquet}), 2, {"a Parquet file", "read_parquet"});
 }
 
 TEST(CheckCommand, UnitsComeToThoseOfTheModel) {
@@ -68,12 +52,12 @@ TEST(CheckCommand, UnitsComeToThoseOfTheModel) {
     known += std::to_string(t) + "," + std::to_string(1000.0 * std::sin(t)) + rest;
     unknown += std::to_string(t) + "," + std::to_string(409.6 * std::sin(t)) + rest;
   }
-  const auto same = run_command(
-      {"check", records.folder().write("known.csv", known), "--model", model});
+  const auto same =
+      run_command({"check", records.folder().write("known.csv", known), "--model", model});
   EXPECT_THAT(same.out, HasSubstr("x is taken from mV to V (factor 0.001)"));
   EXPECT_THAT(same.out, Not(HasSubstr("channel-unit")));
-  const auto other = run_command(
-      {"check", records.folder().write("unknown.csv", unknown), "--model", model});
+  const auto other =
+      run_command({"check", records.folder().write("unknown.csv", unknown), "--model", model});
   EXPECT_THAT(other.out, HasSubstr("x is in LSB, wanted is V"));
   EXPECT_THAT(other.out, HasSubstr("the records suggest that 1 LSB is 0.00244"));
 }
@@ -92,8 +76,7 @@ TEST(CheckCommand, AColumnThatFollowsFromOthersIsNamed) {
 
 TEST(CheckCommand, ADifferentiatorThatIsNotThereIsNamedThoughNoneIsNeeded) {
   const Records records;
-  expect_failure(run_command({"check", records.oscillator(), "--differentiator", "none"}), 2,
-                 {"none"});
+  expect_refused({"check", records.oscillator(), "--differentiator", "none"}, {"none"});
 }
 
 TEST(CheckCommand, SaysThatARecordLooksLikeAMap) {
@@ -106,6 +89,80 @@ TEST(CheckCommand, SaysThatARecordLooksLikeAMap) {
   EXPECT_THAT(run_command({"check", map}).out,
               HasSubstr("discrete-map: the record looks like"));
   EXPECT_THAT(run_command({"check", records.rossler()}).out, Not(HasSubstr("discrete-map")));
+}
+
+/// What a command shows behind a heading: the words of the first indented line, without the
+/// program's name.
+std::vector<std::string> command_below(const std::string& text, const std::string& heading) {
+  const std::size_t begin = text.find("  lacuna ", text.find(heading)) + 9;
+  std::istringstream line(text.substr(begin, text.find('\n', begin) - begin));
+  std::vector<std::string> words;
+  for (std::string word; line >> word;) words.push_back(word);
+  return words;
+}
+
+TEST(StartCommand, TheCommandsThatItShowsRun) {
+  const Records records;
+  const std::string model = records.folder().file("m.ode");
+  const auto result = run_command({"start", records.oscillator(), "--model-out", model},
+                                  default_registry(), "\n\n\ninput\n\n");
+  ASSERT_EQ(result.status, 0) << result.err;
+  EXPECT_THAT(result.out, HasSubstr("400 rows"));
+  const OdeModel written = read_model(model);
+  ASSERT_EQ(written.dimension(), 1);
+  EXPECT_EQ(written.states()[0].unit, "m");
+  EXPECT_EQ(written.inputs()[0].name, "u");
+  const auto identify = command_below(result.out, "The equations from the data");
+  EXPECT_THAT(identify,
+              ::testing::ElementsAre("identify", records.oscillator(), "--inputs", "u"));
+  EXPECT_NE(run_command(identify).status, 2);
+  const auto diagnose = command_below(result.out, "Wrote");
+  EXPECT_THAT(diagnose,
+              ::testing::ElementsAre("diagnose", "--model", model, records.oscillator()));
+  EXPECT_NE(run_command(diagnose).status, 2);
+}
+
+TEST(StartCommand, NothingIsAskedWithYes) {
+  const Records records;
+  const std::string model = records.folder().file("m.ode");
+  const auto result = run_command({"start", records.rossler(), "--yes", "--model-out", model},
+                                  default_registry(), "nonsense\n");
+  EXPECT_EQ(result.status, 0) << result.err;
+  EXPECT_EQ(read_model(model).dimension(), 3);
+}
+
+TEST(StartCommand, OnlyTheSkeletonGoesToStandardOutput) {
+  const Records records;
+  const auto result = run_well({"start", records.rossler(), "--model-out", "-"});
+  EXPECT_EQ(result.out.rfind("# Skeleton", 0), 0u) << result.out;
+  EXPECT_THAT(result.out, HasSubstr("dz/dt = 0"));
+}
+
+TEST(StartCommand, OptionsOfTheDataGoOn) {
+  const Records records;
+  const std::string rows =
+      records.folder().write("rows.csv", "c,b\n1,2\n2,3\n3,5\n4,8\n5,13\n6,21\n7,34\n8,55\n");
+  const std::string model = records.folder().file("m.ode");
+  const auto result = run_well({"start", rows, "--dt", "0.5", "--states", "a", "--map", "a=b",
+                                "--yes", "--model-out", model});
+  EXPECT_THAT(testing::unfolded(result.out),
+              HasSubstr("identify " + rows + " --dt 0.5 --map a=b --states a"));
+}
+
+TEST(StartCommand, AModelIsNotReplacedUnasked) {
+  const Records records;
+  const std::string model = records.folder().write("m.ode", "dx/dt = 1\n");
+  expect_refused({"start", records.rossler(), "--model-out", model},
+                 {"is there already", "--replace"});
+  EXPECT_EQ(records.folder().read("m.ode"), "dx/dt = 1\n");
+  run_well({"start", records.rossler(), "--yes", "--replace", "--model-out", model});
+  EXPECT_EQ(read_model(model).dimension(), 3);
+}
+
+TEST(StartCommand, TheRecordIsNotReplaced) {
+  const Records records;
+  expect_refused({"start", records.rossler(), "--replace", "--model-out", records.rossler()},
+                 {"would replace"});
 }
 
 }  // namespace

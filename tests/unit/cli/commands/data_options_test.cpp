@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
+
+#include <cstdlib>
 #include <nlohmann/json.hpp>
 
+#include "lacuna/cli/commands/cli.hpp"
 #include "unit/cli/commands/records.hpp"
 
 namespace lacuna {
@@ -8,8 +11,11 @@ namespace {
 
 using testing::CommandResult;
 using testing::expect_failure;
+using testing::expect_refused;
 using ::testing::HasSubstr;
+using testing::Records;
 using testing::run_command;
+using testing::run_well;
 using testing::TemporaryFolder;
 
 /// dx/dt = -x, one record with every kind of column, two records one after the other.
@@ -30,8 +36,7 @@ nlohmann::json identify(const std::vector<std::string>& options) {
   std::vector<std::string> arguments = {"identify", folder.write("d.csv", record()), "--json",
                                         "-"};
   arguments.insert(arguments.end(), options.begin(), options.end());
-  const CommandResult result = run_command(arguments);
-  EXPECT_EQ(result.status, 0) << result.err;
+  const CommandResult result = run_well(arguments);
   return nlohmann::json::parse(result.out);
 }
 
@@ -71,9 +76,8 @@ TEST(DataOptions, TheUnitOfTheTimeIsOneThatTimesAreConvertedFrom) {
     }
   for (const auto& [said, unit] :
        {std::pair{"Minutes", "min"}, {"\u00b5s", "us"}, {"h", "h"}}) {
-    const auto result = run_command({"check", path, "--time", "when", "--trajectory", "run",
-                                     "--time-unit", said, "--json", "-"});
-    ASSERT_EQ(result.status, 0) << result.err;
+    const auto result = run_well({"check", path, "--time", "when", "--trajectory", "run",
+                                  "--time-unit", said, "--json", "-"});
     EXPECT_EQ(nlohmann::json::parse(result.out)["time_unit"], unit);
   }
 }
@@ -95,7 +99,7 @@ TEST(DataOptions, AHoldTakesTheSpellingOfTheHeader) {
   EXPECT_EQ(run("drive[0]=zero", "u=drive[0]").err, "");
   expect_failure(run("drive[2]=zero", ""), 2,
                  {"--hold drive[2]=zero", "there is no input", "name one of drive_0, w"});
-  expect_failure(run_command({"check", path, "--hold", "x=zero"}), 2,
+  expect_refused({"check", path, "--hold", "x=zero"},
                  {"no input 'x', nor any other", "--inputs"});
 }
 
@@ -113,9 +117,8 @@ TEST(DataOptions, MapGivesNoNameThatTheModelLacks) {
       {"simulate", model, "--x0", "0,0", "--input-data", data}};
   for (std::vector<std::string> words : commands) {
     words.insert(words.end(), {"--map", "speed=x"});
-    expect_failure(
-        run_command(words), 2,
-        {"--map speed=x", "no state, input or output 'speed'", "known are: x, v, u"});
+    expect_refused(
+        words, {"--map speed=x", "no state, input or output 'speed'", "known are: x, v, u"});
   }
 }
 
@@ -137,6 +140,81 @@ TEST(DataOptions, MapMayNameWhatARivalHas) {
   };
   EXPECT_EQ(run("y=second").err, "");
   expect_failure(run("z=second"), 2, {"--map z=second"});
+}
+
+// What all commands share: progress, output files, models by file or name.
+TEST(Command, ShowsProgressWhereItIsWanted) {
+  const Records records;
+  EXPECT_EQ(run_command({"identify", records.rossler()}).err, "");
+  EXPECT_EQ(run_command({"identify", records.rossler(), "--progress", "never"}).err, "");
+  EXPECT_THAT(run_command({"identify", records.rossler(), "--progress", "always"}).err,
+              HasSubstr("fitting equations: 33 %"));
+  expect_refused({"identify", records.rossler(), "--progress", "often"}, {"--progress"});
+}
+
+/// A limit before anything is known: one line, and status 1. Each task takes ten times the
+/// limit or more until it knows something, on any machine of today.
+TEST(TimeLimit, HoldsWithEveryCommandThatComputes) {
+  const Records records;
+  const std::string orbit = records.folder().file("long.csv");
+  run_well(
+      {"simulate", "rossler", "--x0", "1,1,0", "--t-end", "2000", "--dt", "0.05", "-o", orbit});
+  const std::string model = records.folder().write("m.ode", "param k = 2\ndx/dt = -k*x\n");
+  const std::vector<std::vector<std::string>> commands{
+      {"sync", "rossler", orbit},
+      {"compare", "rossler", orbit},
+      {"simulate", "rossler", "--t-end", "1e5", "--dt", "0.01", "-o",
+       records.folder().file("o.csv")},
+      {"plan", model, "--measure", "x=0.1", "--duration", "100", "--sample", "0.001"},
+      {"bench", orbit, "--parts", "regressor=ols"}};
+  for (std::vector<std::string> words : commands) {
+    words.insert(words.end(), {"--time-limit", "0.001"});
+    expect_failure(run_command(words), 1, {words[0], "incomplete", "time limit"});
+    words.back() = "0";
+    expect_refused(words, {"--time-limit"});
+  }
+  EXPECT_FALSE(std::filesystem::exists(records.folder().file("o.csv")));
+}
+
+TEST(Cli, VersionIsTold) {
+  const auto result = run_well({"--version"});
+  EXPECT_EQ(result.out.rfind("lacuna ", 0), 0u) << result.out;
+}
+
+TEST(Cli, APageIsShownWhereThereIsOne) {
+  const testing::Records records;
+  expect_refused({"sync", "rossler", records.rossler(), "--open"},
+                 {"--open", "--report answer.html"});
+  setenv("BROWSER", "false", 1);
+  const auto result = run_command({"sync", "rossler", records.rossler(), "--open", "--report",
+                                   records.folder().file("page.html")});
+  unsetenv("BROWSER");
+  EXPECT_EQ(result.status, 0) << result.err;
+  EXPECT_THAT(result.err, HasSubstr("page.html yourself"));
+  EXPECT_THAT(records.folder().read("page.html"), HasSubstr("<html"));
+}
+
+TEST(Cli, PartsOfOnesOwnAreThere) {
+  Registry registry;
+  const auto result = run_command({"list"}, registry);
+  EXPECT_EQ(result.status, 0);
+  EXPECT_EQ(result.out.find("monomials"), std::string::npos);
+  EXPECT_THAT(run_command({"list"}).out, HasSubstr(" monomials,\n"));
+}
+
+TEST(Cli, HelpIsACommandToo) {
+  EXPECT_EQ(run_command({"help"}).out, run_command({"--help"}).out);
+  EXPECT_EQ(run_command({"help", "sync"}).out, run_command({"sync", "--help"}).out);
+  EXPECT_THAT(run_command({"help", "help"}).out, HasSubstr("lacuna help"));
+  expect_refused({"help", "syn"}, {"help syn", "did you mean 'sync'?"});
+}
+
+TEST(Cli, NamesOfFunctionsAreNoPlaces) {
+  const testing::Records records;
+  const std::string rest = records.folder().write("rest.csv", "t,x,y,z\n0,1,1,1\n1,1,1,1\n");
+  const auto result = run_command({"compare", records.rossler(), rest});
+  expect_failure(result, 2, {"compare " + records.rossler() + " " + rest + ": "});
+  EXPECT_THAT(result.err, ::testing::Not(::testing::ContainsRegex("[a-z]_[a-z]+: ")));
 }
 
 }  // namespace

@@ -16,32 +16,24 @@ namespace {
 
 using testing::CommandResult;
 using testing::expect_failure;
+using testing::expect_refused;
 using ::testing::HasSubstr;
 using ::testing::Not;
 using testing::Records;
 using testing::run_command;
+using testing::run_well;
 using testing::TemporaryFolder;
 using testing::unfolded;
 
 nlohmann::json run_identify(std::vector<std::string> arguments) {
   arguments.insert(arguments.begin(), "identify");
   arguments.insert(arguments.end(), {"--json", "-"});
-  const CommandResult result = run_command(arguments);
-  EXPECT_EQ(result.status, 0) << result.err;
+  const CommandResult result = run_well(arguments);
   return nlohmann::json::parse(result.out);
 }
 
 std::size_t term_count(const nlohmann::json& result, std::size_t equation) {
   return result["model"]["equations"][equation]["terms"].size();
-}
-
-TEST(IdentifyCommand, ShowsEquationsTrailAndSynchronisation) {
-  const Records records;
-  const auto result = run_command({"identify", records.rossler(), "--explain"});
-  EXPECT_EQ(result.status, 0);
-  for (const char* part : {"dx/dt = ", "x*z", "Terms", "removed by pruner minor-terms",
-                           "Synchronisation", "from the record's own time scale"})
-    EXPECT_THAT(result.out, HasSubstr(part));
 }
 
 TEST(IdentifyCommand, FindsRosslerInItsOrbit) {
@@ -58,12 +50,11 @@ TEST(IdentifyCommand, SavesTheModelItShows) {
   const std::string model = records.folder().file("m.json");
   const std::string json = records.folder().file("r.json");
   const auto result =
-      run_command({"identify", records.rossler(), "--model-out", model, "--json", json});
-  EXPECT_EQ(result.status, 0) << result.err;
+      run_well({"identify", records.rossler(), "--model-out", model, "--json", json});
   EXPECT_THAT(result.out, HasSubstr("Equations"));
   const auto saved = nlohmann::json::parse(records.folder().read("m.json"));
   EXPECT_EQ(saved, nlohmann::json::parse(records.folder().read("r.json"))["model"]);
-  EXPECT_EQ(run_command({"sync", model, records.rossler()}).status, 0);
+  run_well({"sync", model, records.rossler()});
 }
 
 TEST(IdentifyCommand, ATimeLimitGivesAWholeAnswerThatSaysWhatItLacks) {
@@ -74,17 +65,14 @@ TEST(IdentifyCommand, ATimeLimitGivesAWholeAnswerThatSaysWhatItLacks) {
   EXPECT_TRUE(limited["sync"].is_null());
   const auto text = run_command({"identify", records.rossler(), "--time-limit", "0.001"});
   EXPECT_THAT(text.out, HasSubstr("left out: "));
-  const auto without = run_command(
-      {"identify", records.rossler(), "--alternatives", "3", "--time-limit", "0.001"});
-  EXPECT_EQ(without.status, 0) << without.err;
+  const auto without =
+      run_well({"identify", records.rossler(), "--alternatives", "3", "--time-limit", "0.001"});
   EXPECT_THAT(without.out, HasSubstr("alternatives (the time limit came first)"));
   const auto quick = run_identify({records.rossler(), "--effort", "quick"});
   EXPECT_EQ(quick["answer_from"], "synchronisation");
   for (const char* wrong : {"0", "-1", "x", "nan"})
-    expect_failure(run_command({"identify", records.rossler(), "--time-limit", wrong}), 2,
-                   {"--time-limit"});
-  expect_failure(run_command({"identify", records.rossler(), "--effort", "slow"}), 2,
-                 {"--effort"});
+    expect_refused({"identify", records.rossler(), "--time-limit", wrong}, {"--time-limit"});
+  expect_refused({"identify", records.rossler(), "--effort", "slow"}, {"--effort"});
 }
 
 TEST(IdentifyCommand, SameInputSameBytesWhateverTheThreads) {
@@ -189,10 +177,8 @@ TEST(IdentifyCommand, SaysWhatTheModelIsWorth) {
 TEST(IdentifyCommand, JudgesByRecordsThatAreHeldOut) {
   const Records records;
   const std::string other = records.folder().file("other.csv");
-  ASSERT_EQ(run_command({"simulate", "rossler", "--x0", "-3,2,0.1", "--t-end", "60", "--dt",
-                         "0.05", "-o", other})
-                .status,
-            0);
+  run_well({"simulate", "rossler", "--x0", "-3,2,0.1", "--t-end", "60", "--dt", "0.05", "-o",
+            other});
   const auto found = run_identify({records.rossler(), "--degree", "2", "--holdout", other});
   EXPECT_EQ(found["verdict"], "fits to noise") << found["validation"].dump(2);
   EXPECT_EQ(found["validation"]["held_out"], "records");
@@ -200,24 +186,19 @@ TEST(IdentifyCommand, JudgesByRecordsThatAreHeldOut) {
   EXPECT_THAT(found["validation"]["records"][0].get<std::string>(), HasSubstr("other.csv"));
   // The model does not depend on them.
   EXPECT_EQ(found["model"], run_identify({records.rossler(), "--degree", "2"})["model"]);
-  expect_failure(run_command({"identify", records.rossler(), "--degree", "2", "--holdout",
-                              records.rossler()}),
-                 2, {"r.csv", "it has the samples of", "leave --holdout out"});
-  expect_failure(run_command({"identify", records.rossler(), "--holdout", "nowhere.csv"}), 2,
-                 {"nowhere.csv"});
-  expect_failure(
-      run_command({"identify", records.rossler(), "--hidden", "1", "--holdout", other}), 2,
-      {"--holdout", "hidden"});
+  expect_refused(
+      {"identify", records.rossler(), "--degree", "2", "--holdout", records.rossler()},
+      {"r.csv", "it has the samples of", "leave --holdout out"});
+  expect_refused({"identify", records.rossler(), "--holdout", "nowhere.csv"}, {"nowhere.csv"});
+  expect_refused({"identify", records.rossler(), "--hidden", "1", "--holdout", other},
+                 {"--holdout", "hidden"});
 }
 
 TEST(IdentifyCommand, PrintsRelationsThatHoldOnTheData) {
   const Records records;
   const std::string file = records.folder().file("turn.csv");
   const std::string model = records.folder().write("turn.ode", "dx/dt = v\ndv/dt = -4*x\n");
-  ASSERT_EQ(run_command(
-                {"simulate", model, "--x0", "1,0", "--t-end", "20", "--dt", "0.02", "-o", file})
-                .status,
-            0);
+  run_well({"simulate", model, "--x0", "1,0", "--t-end", "20", "--dt", "0.02", "-o", file});
   const auto found = run_identify({file, "--states", "x,v"});
   ASSERT_EQ(found["relations"].size(), 1u);
   EXPECT_EQ(found["relations"][0]["terms"][0]["term"], "x^2");
@@ -229,9 +210,8 @@ TEST(IdentifyCommand, PrintsRelationsThatHoldOnTheData) {
 TEST(IdentifyCommand, BadEmbeddingsAreNamed) {
   const Records records;
   for (const char* bad : {"x", "x=two", "x=1.5", "x=99"})
-    expect_failure(run_command({"identify", records.oscillator(), "--embed", bad}), 2,
-                   {"--embed", bad, "q=2"});
-  expect_failure(run_command({"identify", records.oscillator(), "--embed", "w=2"}), 2, {"'w'"});
+    expect_refused({"identify", records.oscillator(), "--embed", bad}, {"--embed", bad, "q=2"});
+  expect_refused({"identify", records.oscillator(), "--embed", "w=2"}, {"'w'"});
 }
 
 /// A folder with an orbit of Henon's map in "henon.csv".
@@ -240,9 +220,8 @@ class HenonRecord {
   HenonRecord() {
     const std::string model =
         folder_.write("truth.ode", "x[n+1] = 1 - 1.4*x^2 + y\ny[n+1] = 0.3*x\n");
-    const auto orbit = run_command(
+    const auto orbit = run_well(
         {"simulate", model, "--x0", "0.1,0.1", "--t-end", "999", "-o", file("henon.csv")});
-    EXPECT_EQ(orbit.status, 0) << orbit.err;
   }
   std::string file(const std::string& name) const { return folder_.file(name); }
   std::string data() const { return file("henon.csv"); }
@@ -254,19 +233,15 @@ class HenonRecord {
 TEST(IdentifyCommand, FindsAMap) {
   const HenonRecord record;
   const auto result =
-      run_command({"identify", record.data(), "--discrete", "--model-out",
-                   record.file("found.json"), "--report", record.file("found.html")});
-  EXPECT_EQ(result.status, 0) << result.err;
+      run_well({"identify", record.data(), "--discrete", "--model-out",
+                record.file("found.json"), "--report", record.file("found.html")});
   EXPECT_THAT(result.out, HasSubstr("x[n+1] = 1 + y - 1.4*x^2\n  y[n+1] = 0.3*x\n"));
   EXPECT_THAT(result.out, HasSubstr("Fits to the noise"));
   for (const char* flow : {"dx/dt", "Synchronisation", "Measurement noise", "Warnings"})
     EXPECT_THAT(result.out, Not(HasSubstr(flow)));
   const auto text = run_command({"model", record.file("found.json")});
   EXPECT_THAT(text.out, HasSubstr("\ny[n+1] = 0."));
-  EXPECT_EQ(
-      run_command({"simulate", record.file("found.json"), "--x0", "0.1,0.1", "--t-end", "20"})
-          .status,
-      0);
+  run_well({"simulate", record.file("found.json"), "--x0", "0.1,0.1", "--t-end", "20"});
 }
 
 TEST(IdentifyCommand, SaysThatARecordLooksLikeAMap) {
@@ -291,11 +266,11 @@ TEST(IdentifyCommand, OtherCommandsRefuseMaps) {
         {"compare", model, record.data()},
         {"check", record.data(), "--model", model},
         {"export", model, "--format", "c"}})
-    expect_failure(run_command(arguments), 2, {"the model is a map", "simulate"});
+    expect_refused(arguments, {"the model is a map", "simulate"});
   for (const char* option : {"--embed", "--hidden"})
-    expect_failure(run_command({"identify", record.data(), "--discrete", option,
-                                option == std::string("--embed") ? "x=2" : "1"}),
-                   2, {"--discrete", "no derivatives"});
+    expect_refused({"identify", record.data(), "--discrete", option,
+                    option == std::string("--embed") ? "x=2" : "1"},
+                   {"--discrete", "no derivatives"});
 }
 
 TEST(IdentifyCommand, ReadsInPiecesWhatDoesNotFitIntoTheMemoryItIsGiven) {
@@ -380,9 +355,8 @@ TEST(IdentifyCommand, ReportsThatTheRefinerOverridesAChoice) {
 
 TEST(IdentifyCommand, EveryAddAdds) {
   const HenonRecord record;
-  const auto result = run_command({"identify", record.data(), "--discrete", "--degree", "1",
-                                   "--add", "sin(x),cos(x)", "--add", "x^2", "--json", "-"});
-  EXPECT_EQ(result.status, 0) << result.err;
+  const auto result = run_well({"identify", record.data(), "--discrete", "--degree", "1",
+                                "--add", "sin(x),cos(x)", "--add", "x^2", "--json", "-"});
   EXPECT_EQ(nlohmann::json::parse(result.out)["pipeline"]["asked"]["basis"]["include"],
             (std::vector<std::string>{"sin(x)", "cos(x)", "x^2"}));
 }
@@ -394,8 +368,7 @@ TEST(IdentifyCommand, ExplainsWhichOptionsDecidedNothing) {
   std::vector<std::string> more = words;
   more.insert(more.end(), {"--integrator", "dopri5", "--set", "validation.resolution=1e-4",
                            "--set", "basis.max_degree=2"});
-  const auto result = run_command(more);
-  EXPECT_EQ(result.status, 0) << result.err;
+  const auto result = run_well(more);
   EXPECT_THAT(result.out, HasSubstr("\nOptions that decided nothing\n  --integrator: the stage "
                                     "`synchronisation` was not reached\n"));
   EXPECT_THAT(result.out, HasSubstr("\n  --set validation.resolution=1e-4: without it the "

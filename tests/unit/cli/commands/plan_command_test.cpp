@@ -7,13 +7,14 @@
 namespace lacuna {
 namespace {
 
-using testing::expect_failure;
+using testing::expect_refused;
+using ::testing::HasSubstr;
 using testing::Records;
 using testing::run_command;
-using ::testing::HasSubstr;
+using testing::run_well;
 
-const std::vector<std::string> kQuick{"--candidates", "6", "--searches",
-                                      "2",            "--evaluations", "20"};
+const std::vector<std::string> kQuick{"--candidates",  "6", "--searches", "2",
+                                      "--evaluations", "20"};
 
 testing::CommandResult plan(std::vector<std::string> words) {
   words.insert(words.begin(), "plan");
@@ -25,12 +26,14 @@ testing::CommandResult plan(std::vector<std::string> words) {
 struct Rivals {
   Records records;
   std::string viscous = records.folder().write(
-      "viscous.ode", "input u [N] hold zero\nstate v [m/s]\nparam d = 0.5 in 0..9\n"
-                     "dv/dt = -d*v + u\nfixed dv/dt: u\ny = v [m/s]\ninitial v = 0 fixed\n");
-  std::string dry = records.folder().write(
-      "dry.ode", "input u [N] hold zero\nstate v [m/s]\nparam c = 0.3 in 0..9\n"
-                 "dv/dt = -c*tanh(20*v) + u\nfixed dv/dt: u\ny = v [m/s]\n"
-                 "initial v = 0 fixed\n");
+      "viscous.ode",
+      "input u [N] hold zero\nstate v [m/s]\nparam d = 0.5 in 0..9\n"
+      "dv/dt = -d*v + u\nfixed dv/dt: u\ny = v [m/s]\ninitial v = 0 fixed\n");
+  std::string dry =
+      records.folder().write("dry.ode",
+                             "input u [N] hold zero\nstate v [m/s]\nparam c = 0.3 in 0..9\n"
+                             "dv/dt = -c*tanh(20*v) + u\nfixed dv/dt: u\ny = v [m/s]\n"
+                             "initial v = 0 fixed\n");
 
   /// Both at one speed: a step of 0.5 for 2 s.
   std::string old_record() const {
@@ -50,12 +53,11 @@ struct Rivals {
 TEST(PlanCommand, DistinguishesRivalsAndWritesTheInput) {
   const Rivals rivals;
   const std::string inputs = rivals.records.folder().file("u.csv");
-  const std::vector<std::string> words{rivals.viscous, rivals.dry,      "--input",
-                                       "u=-1..1, hold 0.1, family steps|prbs",
-                                       "--measure",    "y=0.02",        "--duration",
-                                       "5",            "--sample",      "0.05",
-                                       "--inputs-out", inputs,          "--json",
-                                       "-"};
+  const std::vector<std::string> words{
+      rivals.viscous, rivals.dry, "--input",      "u=-1..1, hold 0.1, family steps|prbs",
+      "--measure",    "y=0.02",   "--duration",   "5",
+      "--sample",     "0.05",     "--inputs-out", inputs,
+      "--json",       "-"};
   const auto result = plan(words);
   EXPECT_EQ(result.status, 0) << result.err;
   const auto json = nlohmann::json::parse(result.out);
@@ -79,8 +81,7 @@ TEST(PlanCommand, RecordsGiveRangesNoiseAndTheComparison) {
 TEST(PlanCommand, GoesOnFromAFit) {
   const Rivals rivals;
   const std::string fitted = rivals.records.folder().file("fit.json");
-  ASSERT_EQ(run_command({"fit", rivals.viscous, rivals.old_record(), "--json", fitted}).status,
-            0);
+  run_well({"fit", rivals.viscous, rivals.old_record(), "--json", fitted});
   const auto result = plan({"--after", fitted, "--input", "u=-1..1, hold 0.1", "--duration",
                             "5", "--safe", "y=-1..1"});
   EXPECT_EQ(result.status, 0) << result.err;
@@ -90,26 +91,23 @@ TEST(PlanCommand, GoesOnFromAFit) {
 
 TEST(PlanCommand, WhatIsInfeasibleIsStatusOneWithTheReason) {
   const Rivals rivals;
-  const auto result = plan({rivals.viscous, rivals.dry, "--input", "u=-1e-4..1e-4",
-                            "--measure", "y=1", "--duration", "5"});
+  const auto result = plan({rivals.viscous, rivals.dry, "--input", "u=-1e-4..1e-4", "--measure",
+                            "y=1", "--duration", "5"});
   EXPECT_EQ(result.status, 1);
   EXPECT_THAT(result.out, HasSubstr("Infeasible: nothing can be distinguished"));
 }
 
 TEST(PlanCommand, WhatIsMissingIsSaid) {
   const Rivals rivals;
-  expect_failure(run_command({"plan"}), 2, {"no model is given"});
-  expect_failure(run_command({"plan", rivals.dry, "--measure", "y=1", "--duration", "1"}), 2,
+  expect_refused({"plan"}, {"no model is given"});
+  expect_refused({"plan", rivals.dry, "--measure", "y=1", "--duration", "1"},
                  {"--input u", "say its range"});
-  expect_failure(run_command({"plan", rivals.dry, "--input", "u=0..1", "--duration", "1"}), 2,
-                 {"--measure"});
-  expect_failure(run_command({"plan", rivals.dry, "--input", "u=0..1", "--measure", "y=1"}), 2,
-                 {"--duration"});
-  expect_failure(run_command({"plan", rivals.dry, "--input", "u=0..1", "--input", "w=0..1",
-                              "--measure", "y=1", "--duration", "1"}),
-                 2, {"--input w", "no model"});
-  expect_failure(run_command({"plan", rivals.dry, "--after", rivals.dry}), 2,
-                 {"no answer as JSON"});
+  expect_refused({"plan", rivals.dry, "--input", "u=0..1", "--duration", "1"}, {"--measure"});
+  expect_refused({"plan", rivals.dry, "--input", "u=0..1", "--measure", "y=1"}, {"--duration"});
+  expect_refused({"plan", rivals.dry, "--input", "u=0..1", "--input", "w=0..1", "--measure",
+                  "y=1", "--duration", "1"},
+                 {"--input w", "no model"});
+  expect_refused({"plan", rivals.dry, "--after", rivals.dry}, {"no answer as JSON"});
 }
 
 }  // namespace

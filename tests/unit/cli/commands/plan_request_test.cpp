@@ -5,11 +5,17 @@
 
 #include <cmath>
 
+#include "cli/commands/assignments.hpp"
+#include "cli/commands/limit_options.hpp"
+#include "lacuna/core/base/error.hpp"
+#include "lacuna/data/records/marks.hpp"
 #include "support/expect_error.hpp"
+#include "unit/cli/commands/records.hpp"
 
 namespace lacuna::cli {
 namespace {
 
+using lacuna::testing::expect_refused;
 using testing::expect_error;
 
 TEST(PlanInputText, HasARangeAndLimits) {
@@ -108,6 +114,71 @@ TEST(ModelsOfAnswer, OthersAreErrors) {
       "lacuna.sync/1", "diagnose");
   expect_error<ConfigError>([] { models_of_answer("t,x\n1,2\n", "r.csv"); },
                             "--after r.csv:1:2", "no answer as JSON", "--json");
+}
+
+constexpr AssignmentForm kForm{"--map", "NAME=COLUMN", "--map th=Winkel"};
+
+TEST(Assignments, NameBothWhereOneIsGivenTwice) {
+  testing::expect_error<ConfigError>(
+      [] {
+        read_assignments(kForm, {"a=1,b=2", "a=3"});
+      },
+      "--map a=3", "'a' is given twice, first in 'a=1'", "keep");
+  testing::expect_error<ConfigError>([] { read_assignments(kForm, {"a=1,a=1"}); }, "--map a=1",
+                                     "twice", "keep one");
+}
+
+Dataset two_channels() {
+  Dataset data;
+  data.states = {{"q", "V"}, {"v", ""}};
+  Trajectory record;
+  record.time = Vector{{0.0, 1.0, 2.0}};
+  record.states = Matrix{{-6.0, 9.0}, {0.0, 9.0}, {5.0, 9.0}};
+  data.trajectories = {std::move(record)};
+  return data;
+}
+
+TEST(WithGivenLimits, MarksWhatLiesThereOrBeyond) {
+  const Dataset data = with_given_limits(two_channels(), {"q=-5:5"});
+  const Trajectory& record = data.trajectories[0];
+  EXPECT_EQ(mark_of(record.marks, 0, 0), Mark::AtBottom);
+  EXPECT_EQ(record.states(0, 0), -5.0);
+  EXPECT_EQ(mark_of(record.marks, 2, 0), Mark::AtTop);
+  EXPECT_EQ(mark_of(record.marks, 2, 1), Mark::Value) << "no limits were given";
+}
+
+TEST(WithGivenLimits, AnEndMayBeMissing) {
+  const Dataset data = with_given_limits(two_channels(), {"q=:5", "v=8:"});
+  EXPECT_EQ(mark_of(data.trajectories[0].marks, 0, 0), Mark::Value);
+  EXPECT_EQ(mark_of(data.trajectories[0].marks, 2, 0), Mark::AtTop);
+  EXPECT_EQ(with_given_limits(two_channels(), {}).trajectories[0].marks.size(), 0);
+}
+
+TEST(WithGivenLimits, SaysWhatIsNotARange) {
+  for (const char* text : {"q", "q=5", "q=a:5", "q=5:-5", "z=1:2"})
+    EXPECT_THROW(with_given_limits(two_channels(), {text}), ConfigError) << text;
+}
+
+// What a command line is refused with.
+TEST(Faults, NoWordIsOfTheParser) {
+  const std::vector<std::pair<std::vector<std::string>, std::string>> faults = {
+      {{"identify", "r", "--effort", "QUICK"},
+       "--effort: 'QUICK' is none of full, normal, quick"},
+      {{"identify", "r", "--degree", "abc"}, "--degree: 'abc' is no number"},
+      {{"identify", "r", "--degree", "1.5"}, "--degree: '1.5' is no whole number"},
+      {{"identify", "r", "--threads", "0"}, "--threads: '0' is no number from 1 to 1024"},
+      {{"identify", "r", "--discrete=maybe"}, "--discrete takes no value"},
+      {{"identify", "r", "--json"}, "--json: the value is missing"},
+      {{"identify", "r", "--json", "a", "--json", "b"}, "--json: 2 values are given; keep one"},
+      {{"identify", "r", "--terms", "x", "--degree", "2"}, "exclude each other"},
+      {{"identify"}, "DATA is missing"},
+      {{}, "no command is given"},
+      {{"identfy"}, "did you mean 'identify'"},
+      {{"report"}, "'report' is an option, as in `lacuna "},
+      {{"simulate", "lorenz", "--t-end", "nan", "--dt", "1"}, "'nan' is no finite number"},
+      {{"identify", "r", "--degre", "2"}, "'--degre' is not known; did you mean '--degree'?"}};
+  for (const auto& [words, sentence] : faults)
+    expect_refused(words, {"command line: ", sentence, "--help`"});
 }
 
 }  // namespace

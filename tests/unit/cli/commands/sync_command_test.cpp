@@ -6,17 +6,16 @@
 namespace lacuna {
 namespace {
 
-using testing::expect_failure;
+using testing::expect_refused;
 using ::testing::HasSubstr;
+using testing::json_of;
 using testing::Records;
 using testing::run_command;
+using testing::run_well;
 
 TEST(SyncCommand, MeasuresTheTruthAgainstItsOwnOrbit) {
   const Records records;
-  const auto result =
-      run_command({"sync", "rossler", records.rossler(), "--coupling", "x=1", "--json", "-"});
-  EXPECT_EQ(result.status, 0) << result.err;
-  const auto json = nlohmann::json::parse(result.out);
+  const auto json = json_of({"sync", "rossler", records.rossler(), "--coupling", "x=1"});
   EXPECT_EQ(json["format"], "lacuna.sync/1");
   EXPECT_LT(json["relative"].get<double>(), 1e-4);
   EXPECT_EQ(json["coupling"][0][0], 1.0);
@@ -26,17 +25,13 @@ TEST(SyncCommand, MeasuresTheTruthAgainstItsOwnOrbit) {
 
 TEST(SyncCommand, StatesTheCouplingItTookFromTheRecord) {
   const Records records;
-  const auto result = run_command({"sync", "rossler", records.rossler()});
-  EXPECT_EQ(result.status, 0) << result.err;
+  const auto result = run_well({"sync", "rossler", records.rossler()});
   EXPECT_THAT(result.out, HasSubstr("from the record's own time scale"));
 }
 
 TEST(SyncCommand, ReconstructsAStateThatIsADerivative) {
   const Records records;
-  const auto result =
-      run_command({"sync", records.oscillator_model(), records.oscillator(), "--json", "-"});
-  EXPECT_EQ(result.status, 0) << result.err;
-  const auto json = nlohmann::json::parse(result.out);
+  const auto json = json_of({"sync", records.oscillator_model(), records.oscillator()});
   EXPECT_EQ(json["states"], (std::vector<std::string>{"x", "v"}));
   EXPECT_LT(json["relative"].get<double>(), 1e-3);
 }
@@ -49,8 +44,7 @@ TEST(SyncCommand, LeavesOutPiecesBetweenMissingValuesThatAreTooShort) {
             (i == 3 || i == 200 ? "" : std::to_string(std::sin(0.05 * i))) + "\n";
   const std::string record = records.folder().write("x.csv", text);
   const std::string model = records.folder().write("m.ode", "dx/dt = cos(t)\n");
-  const auto outcome = run_command({"sync", model, record});
-  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  const auto outcome = run_well({"sync", model, record});
   EXPECT_THAT(outcome.out, HasSubstr("Note: 1 pieces of less than 5 samples were left out\n"));
 }
 
@@ -78,19 +72,16 @@ TEST(SyncCommand, ColumnsThatTheModelLacksAreSaid) {
     text += std::to_string(0.05 * i) + "," + std::to_string(std::sin(0.05 * i)) + ",7,1\n";
   const std::string record = records.folder().write("x.csv", text);
   const std::string model = records.folder().write("m.ode", "dx/dt = cos(t)\n");
-  const auto outcome = run_command({"sync", model, record});
-  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  const auto outcome = run_well({"sync", model, record});
   EXPECT_THAT(outcome.out, HasSubstr("; not used p, q\n"));
-  EXPECT_EQ(
-      nlohmann::json::parse(run_command({"sync", model, record, "--json", "-"}).out)["states"],
-      std::vector<std::string>{"x"});
+  EXPECT_EQ(json_of({"sync", model, record})["states"], std::vector<std::string>{"x"});
 }
 
 TEST(SyncCommand, AnOutputThatIsAFormulaIsStatus2) {
   const Records records;
   const std::string record = records.folder().write("y.csv", "t,y\n0,1\n1,2\n2,3\n3,1\n");
   const std::string model = records.folder().write("m.ode", "dx/dt = -x\ny = x^2\n");
-  expect_failure(run_command({"sync", model, record}), 2, {"y.csv", "output 'y'", "formula"});
+  expect_refused({"sync", model, record}, {"y.csv", "output 'y'", "formula"});
 }
 
 TEST(SyncCommand, DivergenceIsStatus1) {
@@ -106,16 +97,13 @@ TEST(SyncCommand, DivergenceIsStatus1) {
 TEST(SyncCommand, BadCouplingsAreNamed) {
   const Records records;
   for (const char* bad : {"x", "x=strong", "q=1"})
-    expect_failure(run_command({"sync", "rossler", records.rossler(), "--coupling", bad}), 2,
-                   {});
+    expect_refused({"sync", "rossler", records.rossler(), "--coupling", bad}, {});
 }
 
 TEST(SyncCommand, AdaptsItsStepsAndJudgesWithoutThoseThatAreGiven) {
   const Records records;
   const std::string data = records.folder().file("coarse.csv");
-  ASSERT_EQ(
-      run_command({"simulate", "rossler", "--t-end", "600", "--dt", "0.1", "-o", data}).status,
-      0);
+  run_well({"simulate", "rossler", "--t-end", "600", "--dt", "0.1", "-o", data});
   for (const char* integrator : {"", "rk4", "dopri8"}) {
     std::vector<std::string> command{"sync", "rossler", data};
     if (*integrator != '\0') command.insert(command.end(), {"--integrator", integrator});
@@ -150,8 +138,7 @@ TEST(SyncCommand, AnInputThatJumpsBetweenSamplesLeavesATrueModelOpen) {
       records.folder().write("x.csv", states) + "+" + records.folder().write("u.csv", inputs);
   const std::string model =
       records.folder().write("m.ode", "input u hold zero\ndx/dt = 4*u - 4*x\n");
-  const auto outcome = run_command({"sync", model, joined});
-  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  const auto outcome = run_well({"sync", model, joined});
   EXPECT_THAT(outcome.out, HasSubstr("Undecided: ")) << outcome.out;
   EXPECT_THAT(outcome.out, HasSubstr("an input jumps between"));
 }

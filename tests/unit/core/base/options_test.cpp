@@ -4,12 +4,17 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <atomic>
 #include <limits>
+#include <mutex>
+#include <numeric>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "core/base/parts.hpp"
 #include "support/expect_error.hpp"
+#include "support/thread_team.hpp"
 
 namespace lacuna {
 namespace {
@@ -57,11 +62,6 @@ void expect_refused(const SampleOptions& options, const std::string& where,
   expect_error<ConfigError>([&] { checked(options); }, where, problem, remedy);
 }
 
-TEST(Options, DefaultsAreAccepted) {
-  EXPECT_EQ(checked(SampleOptions{}).order, 4);
-  EXPECT_NO_THROW(checked(SampleOptions{.width = 1.0, .limit = -100.0, .count = 0}));
-}
-
 TEST(Options, NumbersOutOfRangeAreRefused) {
   expect_refused({.width = 1.5}, "sample.width", "1.5 is out of range", "between 0 and 1");
   expect_refused({.order = 0}, "sample.order", "0 is out of range", "at least 1");
@@ -86,6 +86,67 @@ TEST(Options, AVisitorChangesAChoice) {
   SetChoice visitor;
   options.describe(visitor);
   EXPECT_EQ(options.mode, Mode::Fast);
+}
+
+TEST(Parts, AreAllOnesOwnWithoutATeam) {
+  std::vector<double> parts(5, 0.0);
+  for_each_own_part(parts.size(), {}, [&](std::size_t i) { parts[i] += 1.0; });
+  exchange_parts(parts.size(), {}, [](std::size_t) -> std::span<double> {
+    ADD_FAILURE() << "there is nobody to share with";
+    return {};
+  });
+  EXPECT_EQ(parts, std::vector<double>(5, 1.0));
+}
+
+TEST(Parts, AreDividedAmongTheMembersAndSharedByAll) {
+  for (const std::size_t count : {0U, 1U, 3U, 64U}) {
+    std::vector<double> expected(count);
+    std::iota(expected.begin(), expected.end(), 1.0);
+    std::vector<std::atomic<int>> done(count);
+    testing::ThreadTeam(4).run(2, [&](const RunContext& context) {
+      std::vector<double> parts(count, 0.0);
+      for_each_own_part(count, context, [&](std::size_t i) {
+        parts[i] = static_cast<double>(i + 1);
+        ++done[i];
+      });
+      exchange_parts(count, context, [&](std::size_t i) { return std::span(&parts[i], 1); });
+      EXPECT_EQ(parts, expected);
+    });
+    for (const auto& times : done) EXPECT_EQ(times, 1);
+  }
+}
+
+TEST(Parts, TextsAreSharedWhateverTheirLengths) {
+  const std::vector<std::string> expected{"", "a", std::string(1000, 'z'), "\xc3\xa4\n", "end"};
+  testing::ThreadTeam(3).run(1, [&](const RunContext& context) {
+    std::vector<std::string> texts(expected.size());
+    for_each_own_part(texts.size(), context, [&](std::size_t i) { texts[i] = expected[i]; });
+    exchange_texts(texts, context);
+    EXPECT_EQ(texts, expected);
+  });
+}
+
+TEST(Parts, OfAMemberAreNeighbours) {
+  testing::ThreadTeam(3).run(1, [&](const RunContext& context) {
+    std::size_t next = 0;
+    for (int member = 0; member < 3; ++member) {
+      const OwnParts own = parts_of(member, 64, context);
+      EXPECT_EQ(own.first, next);
+      EXPECT_NEAR(static_cast<double>(own.end - own.first), 64.0 / 3.0, 1.0);
+      next = own.end;
+    }
+    EXPECT_EQ(next, 64U);
+  });
+}
+
+TEST(Parts, TheFirstMemberLeads) {
+  std::atomic<int> leaders{0};
+  testing::ThreadTeam(3).run(1, [&](const RunContext& context) {
+    if (context.leads()) ++leaders;
+    EXPECT_TRUE(context.alone().leads());
+  });
+  EXPECT_EQ(leaders, 1);
+  EXPECT_TRUE(RunContext{}.leads());
 }
 
 }  // namespace

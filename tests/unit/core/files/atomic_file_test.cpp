@@ -3,9 +3,16 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <string>
 
+#include "core/files/byte_stream.hpp"
+#include "core/files/file_bytes.hpp"
+#include "core/files/near_file.hpp"
+#include "core/files/positioned_file.hpp"
+#include "core/files/temporary_file.hpp"
 #include "lacuna/core/base/error.hpp"
+#include "support/disk_limits.hpp"
 #include "support/expect_error.hpp"
 #include "support/temporary_folder.hpp"
 
@@ -108,6 +115,98 @@ TEST(WrittenFile, IsBehindItsLinks) {
   std::filesystem::create_symlink("new.txt", folder.file("second"));
   EXPECT_EQ(written_file(folder.file("first")), folder.file("new.txt"));
   EXPECT_EQ(written_file(folder.file("other")), folder.file("other"));
+}
+
+class NearFile : public ::testing::Test {
+ protected:
+  NearFile() {
+    folder_.write("pendulum.ode", "dx/dt = 1\n");
+    std::filesystem::create_directory(folder_.file("pendulum.od"));
+  }
+
+  std::string remedy(const std::string& name) const {
+    return remedy_of_missing(folder_.file(name), "look");
+  }
+
+  testing::TemporaryFolder folder_;
+  std::string wanted_ = "did you mean '" + folder_.file("pendulum.ode") + "'?";
+};
+
+TEST_F(NearFile, AFileOfTheFolderIsSuggested) {
+  EXPECT_EQ(remedy("pendlum.ode"), wanted_);
+  EXPECT_EQ(remedy("Pendulum.ode"), wanted_);
+}
+
+TEST_F(NearFile, NothingIsSuggestedForWhatIsThereOrFar) {
+  for (const char* name : {"pendulum.ode", "scope.csv", "", "none/pendlum.ode"})
+    EXPECT_EQ(remedy(name), "look") << name;
+  EXPECT_EQ(remedy_of_missing("", "look"), "look");
+  EXPECT_EQ(remedy(std::string(100000, 'x')), "look");
+}
+
+/// However a file is opened for reading.
+TEST_F(NearFile, ErrorsOfReadersSuggestIt) {
+  const std::string name = folder_.file("pendlum.ode");
+  const auto remedy_of = [](const auto& open) {
+    try {
+      open();
+    } catch (const FileError& error) {
+      return error.remedy();
+    }
+    return std::string("no error");
+  };
+  EXPECT_EQ(remedy_of([&] { (void)read_text_file(name, "model file"); }), wanted_);
+  EXPECT_EQ(remedy_of([&] { const ByteStream stream(name); }), wanted_);
+  EXPECT_EQ(remedy_of([&] { const PositionedFile file(name); }), wanted_);
+}
+
+TEST(NearFileHere, APathWithoutAFolderIsOfThisOne) {
+  const std::string name = "near_file_test_of_this_folder.csv";
+  const testing::TemporaryFolder folder;
+  const auto before = std::filesystem::current_path();
+  std::filesystem::current_path(folder.path());
+  folder.write(name, "");
+  EXPECT_EQ(remedy_of_missing("near_file_test_of_this_foldr.csv", ""),
+            "did you mean '" + name + "'?");
+  std::filesystem::current_path(before);
+}
+
+std::string content_of(const PositionedFile& file) {
+  std::string content(file.size(), '\0');
+  file.read(0, content);
+  return content;
+}
+
+TEST(TemporaryFile, HasNoNameAndLivesAsLongAsItsReader) {
+  const TemporaryFolder folder;
+  const testing::TemporaryFilesIn there(folder.path());
+  std::optional<PositionedFile> reader;
+  {
+    TemporaryFile file;
+    EXPECT_EQ(file.folder(), folder.path());
+    EXPECT_TRUE(file.append(std::string("0123456789")));
+    EXPECT_TRUE(file.append(std::string("abc")));
+    file.replace_begin(std::string("xy"));
+    EXPECT_EQ(file.size(), 13U);
+    EXPECT_EQ(folder.count(), 0);
+    reader.emplace(file.reader());
+  }
+  EXPECT_EQ(content_of(*reader), "xy23456789abc");
+}
+
+TEST(TemporaryFile, SaysWhereThereIsNoRoom) {
+  const testing::FileSizeLimit limit(10);
+  TemporaryFile file;
+  EXPECT_TRUE(file.append(std::string("0123456")));
+  EXPECT_FALSE(file.append(std::string("0123456")));
+  EXPECT_EQ(file.size(), 10U);
+}
+
+TEST(TemporaryFile, NeedsAFolder) {
+  const TemporaryFolder folder;
+  const testing::TemporaryFilesIn nowhere(folder.file("none"));
+  testing::expect_error<FileError>([] { TemporaryFile(); }, folder.file("none"),
+                                   "no temporary file", "set TMPDIR");
 }
 
 }  // namespace

@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <array>
+#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <filesystem>
@@ -14,6 +14,7 @@
 #include "lacuna/data/formats/read.hpp"
 #include "support/expect_error.hpp"
 #include "support/temporary_folder.hpp"
+#include "support/written_arrays.hpp"
 
 namespace lacuna {
 namespace {
@@ -94,32 +95,17 @@ TEST(Matio, DamageIsTold) {
   }
 }
 
-/// A MATLAB 5 file of one matrix `x` that is not packed (the format's public description): it
-/// says to have `rows` rows of one column, and holds two numbers.
-std::string file_with_rows(std::int32_t rows) {
-  const auto word = [](std::int32_t value) {
-    return std::string(reinterpret_cast<const char*>(&value), sizeof value);
-  };
-  const std::array<double, 2> numbers{1.5, -2.0};
-  const std::string values(reinterpret_cast<const char*>(numbers.data()), sizeof numbers);
-  constexpr std::int32_t kInt8 = 1, kInt32 = 5, kUint32 = 6, kDouble = 9, kMatrix = 14;
-  constexpr std::int32_t kDoubleArray = 6;
-  std::string matrix = word(kUint32) + word(8) + word(kDoubleArray) + word(0);
-  matrix += word(kInt32) + word(8) + word(rows) + word(1);
-  matrix += word(kInt8) + word(1) + "x" + std::string(7, '\0');
-  matrix += word(kDouble) + word(sizeof numbers) + values;
-  std::string header = "MATLAB 5.0 MAT-file";
-  header.resize(124, ' ');
-  return header + std::string("\x00\x01IM", 4) + word(kMatrix) +
-         word(static_cast<std::int32_t>(matrix.size())) + matrix;
-}
-
 TEST(Matio, MoreNumbersThanAFileCanHoldAreTold) {
   if (is_matio_absent()) return;
   const testing::TemporaryFolder folder;
-  std::ofstream(folder.file("two.mat"), std::ios::binary) << file_with_rows(2);
-  EXPECT_EQ(read_table(folder.file("two.mat")).values(1, 0), -2.0);
-  std::ofstream(folder.file("huge.mat"), std::ios::binary) << file_with_rows(2000000000);
+  std::string file = testing::mat_file(
+      {{"x",
+        true,
+        false,
+        {std::bit_cast<std::uint64_t>(1.5), std::bit_cast<std::uint64_t>(-2.0)}}});
+  EXPECT_EQ(read_table(folder.write("two.mat", file)).values(1, 0), -2.0);
+  // The number of rows stands behind the header, three tags and the flags.
+  folder.write("huge.mat", file.replace(160, 4, testing::bytes_of({2000000000}, 4)));
   testing::expect_error<DataError>([&] { read_table(folder.file("huge.mat")); },
                                    folder.file("huge.mat"), "'x' is said to have 2e+09 numbers",
                                    "damaged");

@@ -3,7 +3,6 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <zlib.h>
 
 #include "data/formats/npy.hpp"
 #include "data/times/counted_times.hpp"
@@ -15,46 +14,6 @@
 namespace lacuna {
 namespace {
 
-std::string little(std::size_t value, int bytes) {
-  std::string text;
-  for (int i = 0; i < bytes; ++i) text += static_cast<char>((value >> (8 * i)) & 0xFFU);
-  return text;
-}
-
-std::string deflated(const std::string& content) {
-  std::string packed(content.size() + 100, '\0');
-  z_stream stream{};
-  deflateInit2(&stream, 9, Z_DEFLATED, -MAX_WBITS, 8, Z_DEFAULT_STRATEGY);
-  stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(content.data()));
-  stream.avail_in = static_cast<uInt>(content.size());
-  stream.next_out = reinterpret_cast<Bytef*>(packed.data());
-  stream.avail_out = static_cast<uInt>(packed.size());
-  deflate(&stream, Z_FINISH);
-  packed.resize(stream.total_out);
-  deflateEnd(&stream);
-  return packed;
-}
-
-/// An archive as zip has it (APPNOTE 6.3.9, sections 4.3.7, 4.3.12, 4.3.16).
-std::string archive_of(const std::vector<std::pair<std::string, std::string>>& arrays,
-                       bool pack) {
-  std::string files, directory;
-  for (const auto& [name, content] : arrays) {
-    const std::string stored = pack ? deflated(content) : content;
-    const auto crc = crc32_z(0, reinterpret_cast<const Bytef*>(content.data()), content.size());
-    const std::string common = little(pack ? 8 : 0, 2) + little(0, 4) + little(crc, 4) +
-                               little(stored.size(), 4) + little(content.size(), 4) +
-                               little(name.size(), 2);
-    directory += "PK\x01\x02" + little(20, 2) + little(20, 2) + little(0, 2) + common +
-                 little(0, 2) + little(0, 2) + little(0, 8) + little(files.size(), 4) + name;
-    files +=
-        "PK\x03\x04" + little(20, 2) + little(0, 2) + common + little(0, 2) + name + stored;
-  }
-  return files + directory + "PK\x05\x06" + little(0, 4) + little(arrays.size(), 2) +
-         little(arrays.size(), 2) + little(directory.size(), 4) + little(files.size(), 4) +
-         little(0, 2);
-}
-
 std::string archive(const std::vector<std::pair<std::string, Matrix>>& arrays, bool pack) {
   std::vector<std::pair<std::string, std::string>> contents;
   for (const auto& [name, values] : arrays) {
@@ -62,18 +21,19 @@ std::string archive(const std::vector<std::pair<std::string, Matrix>>& arrays, b
     write_npy(folder.file("a.npy"), values);
     contents.emplace_back(name, folder.read("a.npy"));
   }
-  return archive_of(contents, pack);
+  return testing::zip_archive(contents, pack);
 }
 
 TEST(Npz, DatesAreTimesInTheirUnit) {
   std::string times = npy_begin("<M8[us]", false, 30, 1),
               values = npy_begin("<f8", false, 30, 1);
   for (std::size_t i = 0; i < 30; ++i) {
-    times += little(1'795'000'000'000'000 + 20 * i, 8);
-    values += little(0x3FF0000000000000 + i, 8);
+    times += testing::bytes_of({1'795'000'000'000'000 + 20 * i});
+    values += testing::bytes_of({0x3FF0000000000000 + i});
   }
-  const Table table = parse_npz(archive_of({{"t.npy", times}, {"x.npy", values}}, true),
-                                "a.npz", time_finder({}));
+  const Table table =
+      parse_npz(testing::zip_archive({{"t.npy", times}, {"x.npy", values}}, true), "a.npz",
+                time_finder({}));
   EXPECT_EQ(table.columns[0].name, "t");
   EXPECT_EQ(table.columns[0].unit, "us");
   EXPECT_EQ(table.columns[1].unit, "");

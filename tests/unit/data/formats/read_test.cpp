@@ -11,6 +11,7 @@
 
 #include "core/base/text.hpp"
 #include "core/files/file_bytes.hpp"
+#include "data/formats/joined_files.hpp"
 #include "data/formats/npy.hpp"
 #include "lacuna/core/base/error.hpp"
 #include "support/expect_error.hpp"
@@ -19,6 +20,7 @@
 namespace lacuna {
 namespace {
 
+using ::testing::ElementsAre;
 using testing::expect_error;
 using ::testing::HasSubstr;
 using testing::TemporaryFolder;
@@ -86,19 +88,6 @@ TEST(ReadDataset, ColumnsMayStandInAnotherOrder) {
                                       folder.write("d.csv", "time,t,x\n5,0,1\n6,1,2\n")});
   EXPECT_EQ(other.trajectories[1].states, other.trajectories[0].states)
       << "the time is that of the first file";
-}
-
-TEST(ReadDataset, ColumnsAreCalledAsTheRolesSay) {
-  const testing::TemporaryFolder place;
-  const std::string path = place.write("a.csv", "Zeit,Winkel,Drehzahl\n0,1,2\n1,3,4\n2,5,6\n");
-  ColumnRoles roles;
-  roles.names = {{"t", "1"}, {"w", "Drehzahl"}};
-  roles.states = {"w"};
-  const Dataset data = read_dataset({path}, roles);
-  ASSERT_EQ(data.states.size(), 1u);
-  EXPECT_EQ(data.states[0].name, "w");
-  EXPECT_EQ(data.trajectories[0].states(2, 0), 6.0);
-  EXPECT_EQ(data.trajectories[0].time[2], 2.0);
 }
 
 TEST(ReadDataset, RefusesOtherColumns) {
@@ -216,6 +205,38 @@ TEST(DatasetOfTables, NeedsOneAndTheSameColumns) {
   nameless.columns.pop_back();
   expect_error<DataError>([&] { dataset_of_tables({nameless}); }, a.source, "2 names for 3",
                           "one name for each");
+}
+
+TEST(JoinedFiles, ANameThatHoldsASignIsThatFile) {
+  const TemporaryFolder folder;
+  const std::string a = folder.write("a", ""), c = folder.write("c.csv", "");
+  folder.write("b.csv", "");
+  const std::string both = folder.write("a+b.csv", "");
+  EXPECT_THAT(joined_files(both), ElementsAre(both));
+  EXPECT_THAT(joined_files(both + "+" + c), ElementsAre(both, c));
+  EXPECT_THAT(joined_files(folder.file("no+thing.csv")),
+              ElementsAre(folder.file("no+thing.csv")));
+}
+
+TEST(JoinedFiles, PatternsAndSheetsAreParts) {
+  const TemporaryFolder folder;
+  const std::string book = folder.write("book.xlsx", ""), b = folder.write("b.csv", "");
+  folder.write("run_1.csv", "");
+  EXPECT_THAT(joined_files(folder.file("run_*.csv") + "+" + b),
+              ElementsAre(folder.file("run_1.csv"), b));
+  EXPECT_THAT(joined_files(book + "#A+" + b), ElementsAre(book + "#A", b));
+  EXPECT_THAT(joined_files(b + "+" + book + "#A+B"), ElementsAre(b, book + "#A+B"));
+  EXPECT_THAT(joined_files(book + "#A+B"), ElementsAre(book + "#A+B"));
+  folder.write("run_2.csv", "");
+  testing::expect_error<DataError>([&] { joined_files(b + "+" + folder.file("run_*.csv")); },
+                                   folder.file("run_*.csv"), "matches 2 files", "join one");
+}
+
+TEST(JoinedFiles, AMisspeltOneIsSaid) {
+  const TemporaryFolder folder;
+  const std::string a = folder.write("a.csv", "t,x\n0,1\n1,2\n");
+  testing::expect_error<FileError>([&] { read_table(a + "+" + folder.file("b.csv")); },
+                                   folder.file("b.csv"), "cannot be read", "");
 }
 
 }  // namespace

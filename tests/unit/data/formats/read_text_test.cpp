@@ -66,18 +66,6 @@ TEST(ReadText, ReadsDecimalCommasAndQuotes) {
             matrix_2x3(0, 1.5, 2, 3, 4, 5));
 }
 
-TEST(ReadText, ReadsLinesThatEndInADelimiter) {
-  for (const std::string text : {"t,x,y,\n0,1,2,\n3,4,5,\n", "t,x,y\r\n0,1,2,\r\n3,4,5,\r\n",
-                                 "t\tx\ty\n0\t1\t2\t\n3\t4\t5\t\n"})
-    EXPECT_EQ(parse(text).values, matrix_2x3(0, 1, 2, 3, 4, 5)) << text;
-}
-
-TEST(ReadText, NamesColumnsWithoutAHeader) {
-  const Table table = parse("0,1\n1,2\n");
-  EXPECT_EQ(table.columns[0].name, "c1");
-  EXPECT_EQ(table.columns[1].name, "c2");
-}
-
 TEST(ReadText, ReadsNumbersToTheLastBit) {
   const Table table = parse("0.1,1.7976931348623157e308,4.9e-324,1e-999\n");
   EXPECT_EQ(table.values(0, 0), 0.1);

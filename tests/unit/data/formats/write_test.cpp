@@ -9,6 +9,7 @@
 #include "data/formats/read_text.hpp"
 #include "lacuna/core/base/error.hpp"
 #include "lacuna/data/formats/read.hpp"
+#include "support/one_record.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace lacuna {
@@ -48,13 +49,10 @@ void expect_same(const Dataset& a, const Dataset& b) {
 }
 
 TEST(FormatCsv, WritesNamesUnitsAndShortestNumbers) {
-  Dataset data;
-  data.states = {{"x", "V"}};
   Trajectory record;
   record.time = (Vector(2) << 0.0, 0.1).finished();
   record.states = (Vector(2) << 1.5, 1.0 / 3.0).finished();
-  record.inputs.resize(2, 0);
-  data.trajectories = {record};
+  Dataset data = support::one_record({{"x", "V"}}, {}, record);
   EXPECT_EQ(format_csv(data, "made by hand\nseed 1"),
             "# made by hand\n# seed 1\nt [s],x [V]\n0,1.5\n0.1,0.3333333333333333\n");
 }

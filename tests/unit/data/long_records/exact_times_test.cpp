@@ -152,51 +152,44 @@ Vector expected_nanoseconds(const Stamped& record) {
 constexpr int kDraws = 60;
 constexpr std::size_t kRows = 60;
 
-TEST(ExactTimes, WholeNumbersInTextAndArrays) {
-  Random random(44);
-  for (int i = 0; i < kDraws; ++i) {
+/// Tells of drawn records: the folder for their file, whether their times may have a sign.
+template <class Check>
+void for_draws(std::uint64_t seed, const Check& check) {
+  Random random(seed);
+  for (int i = 0; i < kDraws && !::testing::Test::HasFailure(); ++i) {
     const TemporaryFolder folder;
     const auto [origin, step] = draw(random);
+    SCOPED_TRACE("origin " + std::to_string(origin) + ", step " + std::to_string(step));
     const Stamped record = record_of(origin, step, kRows, random);
+    check(folder, record, record.times.back() < (1ULL << 63U));
+  }
+}
+
+TEST(ExactTimes, WholeNumbersInTextAndArrays) {
+  for_draws(44, [](const TemporaryFolder& folder, const Stamped& record, bool has_sign) {
     const Vector expected = expected_nanoseconds(record);
-    const bool has_sign = record.times.back() < (1ULL << 63U);
     expect_times(folder.write("a.csv", integers_csv(record)), expected);
     expect_times(folder.write("b.npy", matrix_npy(record, has_sign, false)), expected);
     expect_times(folder.write("c.npy", matrix_npy(record, has_sign, true)), expected);
     expect_times(folder.write("d.npy", structured_npy(record)), expected);
-    const std::string archive = folder.write("e.npz", npz(record, has_sign));
-    EXPECT_EQ(times_in_memory(archive), expected);
-    if (::testing::Test::HasFailure()) {
-      ADD_FAILURE() << "origin " << origin << ", step " << step;
-      return;
-    }
-  }
+    EXPECT_EQ(times_in_memory(folder.write("e.npz", npz(record, has_sign))), expected);
+  });
 }
 
 #if HAS_MATIO
 TEST(ExactTimes, WholeNumbersInMatlabFiles) {
-  Random random(45);
-  for (int i = 0; i < kDraws; ++i) {
-    const TemporaryFolder folder;
-    const auto [origin, step] = draw(random);
-    const Stamped record = record_of(origin, step, kRows, random);
-    const bool has_sign = record.times.back() < (1ULL << 63U);
+  for_draws(45, [](const TemporaryFolder& folder, const Stamped& record, bool has_sign) {
     const std::string path =
         folder.write("a.mat", testing::mat_file({{"t", false, has_sign, record.times},
                                                  {"x", true, false, record.signal}}));
-    EXPECT_EQ(times_in_memory(path), expected_nanoseconds(record)) << origin << ' ' << step;
-  }
+    EXPECT_EQ(times_in_memory(path), expected_nanoseconds(record));
+  });
 }
 #endif
 
 #if HAS_HDF5
 TEST(ExactTimes, WholeNumbersInHdf5) {
-  Random random(46);
-  for (int i = 0; i < kDraws; ++i) {
-    const TemporaryFolder folder;
-    const auto [origin, step] = draw(random);
-    const Stamped record = record_of(origin, step, kRows, random);
-    const bool has_sign = record.times.back() < (1ULL << 63U);
+  for_draws(46, [](const TemporaryFolder& folder, const Stamped& record, bool has_sign) {
     {
       const testing::WrittenHdf5 file(folder.file("a.h5"));
       file.add("t", has_sign ? H5T_NATIVE_INT64 : H5T_NATIVE_UINT64, record.times.data(),
@@ -204,7 +197,7 @@ TEST(ExactTimes, WholeNumbersInHdf5) {
       file.add("x", H5T_NATIVE_DOUBLE, record.signal.data(), kRows);
     }
     expect_times(folder.file("a.h5"), expected_nanoseconds(record));
-  }
+  });
 }
 #endif
 

@@ -7,6 +7,7 @@
 
 #include "core/base/random.hpp"
 #include "lacuna/data/records/dataset.hpp"
+#include "support/one_record.hpp"
 
 namespace lacuna::testing {
 
@@ -24,11 +25,7 @@ inline Dataset long_oscillation(Index samples, double per_period, double noise =
     record.states(i, 0) = std::sin(w * record.time[i]) + noise * random.normal();
     record.states(i, 1) = w * std::cos(w * record.time[i]) + w * noise * random.normal();
   }
-  record.inputs.resize(samples, 0);
-  Dataset data;
-  data.states = {{"x", "m"}, {"v", "m/s"}};
-  data.trajectories = {std::move(record)};
-  return data;
+  return support::one_record({{"x", "m"}, {"v", "m/s"}}, {}, std::move(record));
 }
 
 /// Time and states as a file has them.

@@ -120,35 +120,6 @@ TEST(ReadStream, ASlowMapIsNotThinned) {
   EXPECT_THROW(identify(read_stream({path}, roles), pipeline), ConfigError);
 }
 
-TEST(ReadStream, RecordsEndWhereValuesOrTimesAreMissing) {
-  const TemporaryFolder folder;
-  Matrix values = testing::table_of(long_oscillation(300000, 97.3));
-  values(1000, 2) = std::numeric_limits<double>::quiet_NaN();
-  values.col(0).tail(300000 - 131072).array() += 5.0;  // between two pieces of the file
-  const std::string path = saved(folder, "cut.npy", values);
-  const RecordStream stream = read_stream({path}, first_is_time());
-  const Dataset data = read_dataset({path}, first_is_time());
-  ASSERT_EQ(stream.records().size(), data.trajectories.size());
-  for (std::size_t i = 0; i < data.trajectories.size(); ++i) {
-    EXPECT_EQ(stream.records()[i]->samples(), data.trajectories[i].samples());
-    const Index last = data.trajectories[i].samples() - 1;
-    const Trajectory end = stream.records()[i]->read(last, 1);
-    EXPECT_EQ(end.time[0], data.trajectories[i].time[last]);
-    EXPECT_EQ(end.states.row(0), data.trajectories[i].states.row(last));
-    EXPECT_EQ(end.source, data.trajectories[i].source);
-  }
-}
-
-TEST(ReadStream, FilesFollowEachOther) {
-  const TemporaryFolder folder;
-  const Matrix values = testing::table_of(long_oscillation(90000, 97.3));
-  saved(folder, "part-1.npy", values);
-  saved(folder, "part-2.npy", values.topRows(80000));
-  const RecordStream stream = read_stream({folder.file("part-*.npy")}, first_is_time());
-  ASSERT_EQ(stream.records().size(), 2U);
-  EXPECT_EQ(stream.samples(), 170000);
-}
-
 TEST(ReadStream, AStepStandsForTheTime) {
   const TemporaryFolder folder;
   const std::string path =
@@ -380,13 +351,14 @@ TEST(ReadStream, TextHasTheErrorsThatItHasInMemory) {
 
 TEST(ReadStream, ColumnsMayHaveAnotherOrderInOtherFiles) {
   const TemporaryFolder folder;
-  const Matrix values = lorenz_table(100000);
+  const Matrix values = lorenz_table(100000), other = 2.0 * values.topRows(90000);
   const std::string first = saved_as_text(folder, "1.csv", "t,x,y,z", values);
   const std::string second = saved_as_text(folder, "2.csv", "z,y,t,x",
-                                           values(Eigen::all, std::vector<int>{3, 2, 0, 1}));
+                                           other(Eigen::all, std::vector<int>{3, 2, 0, 1}));
   const RecordStream stream = read_stream({first, second});
   ASSERT_EQ(stream.records().size(), 2U);
-  EXPECT_EQ(stream.records()[1]->read(100, 50).states, values.middleRows(100, 50).rightCols(3));
+  EXPECT_EQ(stream.samples(), 190000);
+  EXPECT_EQ(stream.records()[1]->read(100, 50).states, other.middleRows(100, 50).rightCols(3));
 }
 
 TEST(ReadStream, TimeThatGoesBackwardsIsAnError) {

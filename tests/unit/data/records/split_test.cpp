@@ -20,7 +20,6 @@ namespace {
 using ::testing::ElementsAre;
 using testing::expect_error;
 using ::testing::HasSubstr;
-using ::testing::IsEmpty;
 using ::testing::SizeIs;
 
 Records split(const std::string& text, const ColumnRoles& roles = {}) {
@@ -132,11 +131,6 @@ TEST(Split, RefusesTimeThatGoesBackwards) {
                           "goes backwards, from 3 to 1", "--trajectory NAME");
   expect_error<DataError>([] { split("x,y\n0,1\n2,1\n1,1\n"); }, "a.csv:4:1", "goes backwards",
                           "the first column was taken as the time");
-}
-
-TEST(Split, RefusesARepeatedTime) {
-  expect_error<DataError>([] { split("t,x\n0,1\n1,1\n1,1\n"); }, "a.csv:4:1",
-                          "stands still at 1", "remove the repeated line");
 }
 
 TEST(Split, RefusesInfiniteValues) {

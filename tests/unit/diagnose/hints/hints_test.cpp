@@ -15,6 +15,7 @@
 #include "lacuna/records/binding/read_records.hpp"
 #include "support/diagnosis_scope.hpp"
 #include "support/driven_oscillator.hpp"
+#include "support/one_record.hpp"
 
 namespace lacuna {
 namespace {
@@ -290,9 +291,6 @@ TEST(MotionHints, OneWayToARestTellsNoStructure) {
 Dataset armature_record() {
   constexpr double kStep = 0.01;
   constexpr int kParts = 100;
-  Dataset data;
-  data.states = {{"w", "rad/s"}, {"i", "A"}};
-  data.inputs = {{"u", "V"}};
   Trajectory record{"armature",
                     Vector::LinSpaced(1000, 0.0, 999 * kStep),
                     Matrix(1000, 2),
@@ -311,8 +309,7 @@ Dataset armature_record() {
       w += h * (4.0 * i - w);
     }
   }
-  data.trajectories.push_back(std::move(record));
-  return data;
+  return support::one_record({{"w", "rad/s"}, {"i", "A"}}, {{"u", "V"}}, std::move(record));
 }
 
 TEST(MotionHints, WhatThePlantMakesOfAnInputIsNoFeedback) {

@@ -1,19 +1,26 @@
 // SPDX-License-Identifier: MIT
-// Slips, and rates over windows.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <numbers>
+#include <string>
 
 #include "diagnose/hints/coefficient_pattern.hpp"
 #include "diagnose/hints/slip_hints.hpp"
 #include "diagnose/hints/slip_search.hpp"
+#include "diagnose/hints/unit_hints.hpp"
 #include "diagnose/hints/window_rates.hpp"
 #include "lacuna/data/derivatives/finite_differences.hpp"
+#include "lacuna/dynamics/integration/runge_kutta.hpp"
+#include "lacuna/dynamics/test_systems/measurement.hpp"
+#include "lacuna/model/files/ode_text.hpp"
 #include "lacuna/records/binding/embedding.hpp"
+#include "lacuna/records/binding/model_view.hpp"
 #include "support/driven_oscillator.hpp"
+#include "support/one_record.hpp"
 
 namespace lacuna {
 namespace {
@@ -22,6 +29,7 @@ using support::hidden_record;
 using support::nothing;
 using ::testing::HasSubstr;
 
+// Slips, and rates over windows.
 // Slips of units, signs and clocks: what is found and what is said of it.
 const OdeModel kHinted = support::oscillator();  // q, v; F, time in s
 
@@ -107,14 +115,11 @@ TEST(FindSlip, ListsWhatIsNotToldApart) {
   // x' = u alone, and x a hundred times too small.
   const Variables variables{{"x"}, {"u"}};
   const OdeModel integrator({{"x", ""}}, {{"u", ""}}, {{{Term::parse("u", variables), 1.0}}});
-  Dataset data;
-  data.states = {{"x", ""}};
-  data.inputs = {{"u", ""}};
   Trajectory record;
   record.time = Vector::LinSpaced(801, 0.0, 40.0);
   record.states = 0.01 * record.time.array().sin().matrix();
   record.inputs = record.time.array().cos().matrix();
-  data.trajectories = {record};
+  Dataset data = support::one_record({{"x", ""}}, {{"u", ""}}, record);
   const BoundRecords records = observed(std::move(data));
   const auto slip = find_slip(integrator, records.data, rate_windows(records), {});
   ASSERT_TRUE(slip);
@@ -243,6 +248,43 @@ TEST(RateWindows, LeaveOutOutliersGapsAndMissingValues) {
                                            return w.first <= 600 &&
                                                   w.first + windows.samples() > 601;
                                          }));
+}
+
+// Angles in the counts of an encoder.
+/// Hints for a pendulum whose angle is written in so many steps of a turn, from so far up.
+std::vector<Hint> hints_for_pendulum(const std::string& unit, double steps, double amplitude,
+                                     bool in_counts) {
+  const double turn = unit == "rad" ? 2.0 * std::numbers::pi : 360.0;
+  const std::string to_rad = unit == "rad" ? "th" : "pi/180*th";
+  const std::string gain = unit == "rad" ? "-7" : "-401.07";
+  const OdeModel model =
+      parse_ode("time s\nstate th [" + unit + "]\nstate w [" + unit +
+                    "/s]\ndth/dt = w\ndw/dt = " + gain + "*sin(" + to_rad + ") - 0.2*w\n",
+                "made");
+  Dataset data = record_of(model, Rk4{{.substeps = 4}}, Eigen::Vector2d(amplitude * turn, 0.0),
+                           0.01, 1500);
+  data.states.resize(1);
+  data.trajectories[0].derivatives.resize(0, 0);
+  Matrix& states = data.trajectories[0].states;
+  states = (states.leftCols(1) * (steps / turn)).array().round().matrix().eval();
+  if (!in_counts) states *= turn / steps;
+  const BoundRecords records = observed(model_view(model, data, FiniteDifferences{}));
+  return unit_hints(model, records, rate_windows(records), {});
+}
+
+TEST(UnitHints, WholeNumbersForAnAngleAreCountsWhereAFactorUndoesTheMisfit) {
+  for (const std::string unit : {"rad", "deg"}) {
+    const std::vector<Hint> hints = hints_for_pendulum(unit, 5000.0, 0.3, true);
+    ASSERT_EQ(hints.size(), 1u) << unit;
+    EXPECT_EQ(hints[0].kind, HintKind::ChannelUnit);
+    EXPECT_THAT(hints[0].message, HasSubstr("th is whole numbers in the records"));
+    EXPECT_THAT(hints[0].remedy, HasSubstr(unit == "rad" ? "th by 2*pi/N" : "th by 360/N"));
+    const std::string about = "about ";
+    const std::size_t number = hints[0].message.find(about) + about.size();
+    EXPECT_NEAR(std::stod(hints[0].message.substr(number)), 5000.0, 500.0);
+    EXPECT_TRUE(hints_for_pendulum(unit, 5000.0, 0.3, false).empty()) << unit;
+  }
+  EXPECT_TRUE(hints_for_pendulum("deg", 360.0, 0.3, true).empty()) << "degrees are whole, too";
 }
 
 }  // namespace

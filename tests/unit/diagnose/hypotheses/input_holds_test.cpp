@@ -13,6 +13,7 @@
 #include "support/asked.hpp"
 #include "support/assimilated_oscillator.hpp"
 #include "support/held_oscillator.hpp"
+#include "support/one_record.hpp"
 
 namespace lacuna {
 namespace {
@@ -101,11 +102,7 @@ Dataset behind_a_source(const OdeModel& filter, bool steps) {
     record.states(i, 0) = value + 1e-3 * random.normal();
     value = u + slope * (kStep - kTime) + (value - u + slope * kTime) * left;
   }
-  Dataset data;
-  data.states = filter.states();
-  data.inputs = filter.inputs();
-  data.trajectories = {record};
-  return data;
+  return support::one_record(filter.states(), filter.inputs(), record);
 }
 
 TEST(InputHolds, SamplesOnLinesContradictAModelThatSaysHeld) {

@@ -14,6 +14,7 @@
 #include "support/asked.hpp"
 #include "support/assimilated_oscillator.hpp"
 #include "support/held_oscillator.hpp"
+#include "support/one_record.hpp"
 #include "support/own_effects.hpp"
 
 namespace lacuna {
@@ -231,9 +232,6 @@ CompositeModel that_says(const support::Asked& asked, const Candidate& candidate
 /// One channel of a linear system: its sensor and its only input that lag are one to it.
 TEST(SensorTiming, WhereOneChannelShowsAllBothAreSaid) {
   support::Asked asked{.records = {}, .nominal = parse_ode("input u\ndx/dt = -1.2*x + u", "")};
-  Dataset data;
-  data.states = {{"x", ""}};
-  data.inputs = {{"u", ""}};
   Trajectory record;
   record.source = "made";
   record.time = Vector::LinSpaced(1501, 0.0, 30.0);
@@ -253,7 +251,7 @@ TEST(SensorTiming, WhereOneChannelShowsAllBothAreSaid) {
       late += h * (input(t) - middle) / kTau;
     }
   }
-  data.trajectories = {record};
+  Dataset data = support::one_record({{"x", ""}}, {{"u", ""}}, record);
   asked.records = observed(data);
   Candidate lag{.form = parse_expression("lagged-u"), .argument = parse_expression("u")};
   lag.memory = {{"lagged", parse_expression("(u-lagged)/tau"), parse_expression("u")}};

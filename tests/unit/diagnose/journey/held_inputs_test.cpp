@@ -14,6 +14,7 @@
 #include "lacuna/model/files/model_file.hpp"
 #include "lacuna/model/files/ode_text.hpp"
 #include "support/asked.hpp"
+#include "support/one_record.hpp"
 
 namespace lacuna {
 namespace {
@@ -126,11 +127,7 @@ Dataset behind_a_late_input(const OdeModel& filter, double late) {
     record.states.col(0).array() += gain * (w * (record.time.array() - late) - lag).sin();
   }
   for (double& x : record.states.reshaped()) x += 1e-4 * random.normal();
-  Dataset data;
-  data.states = filter.states();
-  data.inputs = filter.inputs();
-  data.trajectories = {record};
-  return data;
+  return support::one_record(filter.states(), filter.inputs(), record);
 }
 
 /// A hold is half a step of delay, and a delay of 0.6 steps beside it one of 0.1: as no sample

@@ -21,6 +21,7 @@
 #include "lacuna/model/files/ode_text.hpp"
 #include "lacuna/records/binding/model_view.hpp"
 #include "support/driven_oscillator.hpp"
+#include "support/one_record.hpp"
 
 namespace lacuna {
 namespace {
@@ -62,9 +63,6 @@ TEST(TrueNames, FrictionOfWhatTurnsOneWayIsPlain) {
 /// A vessel, dh/dt = 0.01 u - 0.008 sqrt(h), by Euler steps of a hundredth of a sample; its
 /// level moves by 0.02 m about 0.6 m and is read 0.3 m too large.
 Dataset vessel(std::uint64_t seed) {
-  Dataset data;
-  data.states = {{"h", "m"}};
-  data.inputs = {{"u", "1"}};
   constexpr Index kRows = 500;
   constexpr int kParts = 100;
   Trajectory record{"vessel",
@@ -81,8 +79,7 @@ Dataset vessel(std::uint64_t seed) {
     for (int part = 0; part < kParts; ++part)
       h += 2.0 / kParts * (0.01 * u - 0.008 * std::sqrt(h));
   }
-  data.trajectories.push_back(std::move(record));
-  return data;
+  return support::one_record({{"h", "m"}}, {{"u", "1"}}, std::move(record));
 }
 
 TEST(TrueNames, AnOffsetLargerThanTheSpreadOfItsChannel) {
@@ -151,9 +148,6 @@ Dataset drive(const std::vector<double>& levels, std::uint64_t seed) {
   constexpr Index kHeld = 200;
   constexpr int kParts = 20;
   const auto samples = kHeld * static_cast<Index>(levels.size());
-  Dataset data;
-  data.states = {{"n", "rpm"}};
-  data.inputs = {{"U", "V"}};
   Trajectory record{"drive",
                     0.01 * Vector::LinSpaced(samples, 0.0, static_cast<double>(samples - 1)),
                     Matrix(samples, 1),
@@ -170,8 +164,7 @@ Dataset drive(const std::vector<double>& levels, std::uint64_t seed) {
       n += 0.01 / kParts * (-4.0 * n + 1200.0 * y);
     }
   }
-  data.trajectories.push_back(std::move(record));
-  return data;
+  return support::one_record({{"n", "rpm"}}, {{"U", "V"}}, std::move(record));
 }
 
 TEST(TrueNames, TheNoiseFloorOfWhatHasNoNameIsThatOfItsSamples) {

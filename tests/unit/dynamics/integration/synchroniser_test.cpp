@@ -15,6 +15,7 @@
 #include "lacuna/dynamics/test_systems/measurement.hpp"
 #include "lacuna/dynamics/test_systems/test_systems.hpp"
 #include "lacuna/model/files/ode_text.hpp"
+#include "support/one_record.hpp"
 
 namespace lacuna {
 namespace {
@@ -195,16 +196,13 @@ TEST(Synchroniser, DelayedVariablesAreThoseOfTheRecord) {
 
 /// x measured, z as a view has it that nobody measured; noise is as it comes in a record.
 Dataset half_measured(const OdeModel& model) {
-  Dataset data;
-  data.states = model.states();
   Trajectory run;
   run.time = Vector::LinSpaced(2001, 0.0, 20.0);
   run.states = Matrix::Zero(2001, 2);
   run.states.col(0) = run.time.array().sin();
-  run.inputs.resize(2001, 0);
   run.marks = Matrix::Zero(2001, 2);
   run.marks.col(1).setConstant(number_of(Mark::Missing));
-  data.trajectories = {run};
+  Dataset data = support::one_record(model.states(), {}, run);
   data.reconstructed = {false, true};
   return data;
 }

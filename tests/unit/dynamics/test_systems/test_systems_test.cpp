@@ -19,6 +19,7 @@
 #include "lacuna/dynamics/integration/runge_kutta.hpp"
 #include "lacuna/dynamics/integration/simulate.hpp"
 #include "lacuna/dynamics/test_systems/measurement.hpp"
+#include "support/one_record.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace lacuna {
@@ -297,8 +298,6 @@ TEST(SpiceOutput, OtherFilesAreRefused) {
 }
 
 Dataset uneven_sine() {
-  Dataset record;
-  record.states = {{"x", "V"}};
   Trajectory run;
   run.source = "made";
   run.time.resize(800);
@@ -306,8 +305,7 @@ Dataset uneven_sine() {
     run.time[i] =
         1e-3 * (0.01 * static_cast<double>(i) + 0.002 * std::sin(1.0 * static_cast<double>(i)));
   run.states = (run.time.array() * 1e3).sin().matrix();
-  run.inputs.resize(800, 0);
-  record.trajectories = {run};
+  Dataset record = support::one_record({{"x", "V"}}, {}, run);
   return record;
 }
 

@@ -15,6 +15,7 @@
 #include "lacuna/dynamics/integration/runge_kutta.hpp"
 #include "lacuna/dynamics/test_systems/measurement.hpp"
 #include "lacuna/identify/pipeline/presets.hpp"
+#include "support/one_record.hpp"
 
 namespace lacuna {
 namespace {
@@ -87,17 +88,13 @@ TEST_F(ExtendedPipelines, WhereTermsWereMissingShapesAreFittedAgainBesideThem) {
 
 /// x = sin t, y = cos t; y with noise of so many.
 Dataset orbit(double noise) {
-  Dataset data;
-  data.states = {{"x", ""}, {"y", ""}};
   Trajectory record;
   record.time = Vector::LinSpaced(600, 0.0, 12.0);
   record.states.resize(600, 2);
   record.states << record.time.array().sin(), record.time.array().cos();
-  record.inputs.resize(600, 0);
   Random random(1);
   for (Index i = 0; i < 600; ++i) record.states(i, 1) += noise * random.normal();
-  data.trajectories = {record};
-  return data;
+  return support::one_record({{"x", ""}, {"y", ""}}, {}, record);
 }
 
 ModelComparison comparison(double noise) { return {orbit(noise), analyse_noise(orbit(noise))}; }

@@ -13,20 +13,17 @@
 #include "core/base/random.hpp"
 #include "identify/forms_beside/base_columns.hpp"
 #include "identify/forms_beside/form_rows.hpp"
+#include "support/one_record.hpp"
 
 namespace lacuna {
 namespace {
 
 /// x with dx/dt = -x, exactly.
 Dataset decay() {
-  Dataset data;
-  data.states = {{"x", ""}};
   Trajectory record;
   record.time = Vector::LinSpaced(801, 0.0, 4.0);
   record.states = (-record.time.array()).exp().matrix();
-  record.inputs.resize(801, 0);
-  data.trajectories = {record};
-  return data;
+  return support::one_record({{"x", ""}}, {}, record);
 }
 
 Candidate form_of_x(const std::string& form) {
@@ -176,19 +173,15 @@ TEST(FormProblem, AShapeThatGoesToAnEndOfItsRangeStaysThere) {
 
 /// x = 2 cos t, y = -2 sin t: dx/dt = y, dy/dt = -x.
 Dataset circle(Index n, double noise, double length = 20.0, std::uint64_t seed = 1) {
-  Dataset data;
-  data.states = {{"x", ""}, {"y", ""}};
   Trajectory record;
   record.time = Vector::LinSpaced(n, 0.0, length);
   record.states.resize(n, 2);
-  record.inputs.resize(n, 0);
   Random random(seed);
   for (Index i = 0; i < n; ++i) {
     record.states(i, 0) = 2.0 * std::cos(record.time[i]) + noise * random.normal();
     record.states(i, 1) = -2.0 * std::sin(record.time[i]) + noise * random.normal();
   }
-  data.trajectories = {record};
-  return data;
+  return support::one_record({{"x", ""}, {"y", ""}}, {}, record);
 }
 
 TEST(FormRows, HoldWhereTheEquationDoes) {

@@ -18,6 +18,7 @@
 #include "lacuna/dynamics/test_systems/test_systems.hpp"
 #include "lacuna/model/files/ode_text.hpp"
 #include "support/noisy_records.hpp"
+#include "support/one_record.hpp"
 
 namespace lacuna {
 namespace {
@@ -29,15 +30,11 @@ constexpr double kFrequency = 0.37, kPhase = 0.6;
 /// dx/dt = sin(2 pi f t + p), and exp of it for dx/dt = x sin(2 pi f t + p).
 Dataset record_of(bool modulated) {
   const double w = 2.0 * M_PI * kFrequency;
-  Dataset data;
-  data.states = {{"x", ""}};
   Trajectory record;
   record.time = Vector::LinSpaced(1201, 5.0, 35.0);
-  record.inputs.resize(1201, 0);
   const Vector tone = -((w * record.time.array() + kPhase).cos() / w).matrix();
   record.states = modulated ? Vector(tone.array().exp()) : tone;
-  data.trajectories = {record};
-  return data;
+  return support::one_record({{"x", ""}}, {}, record);
 }
 
 OdeModel model_of() { return OdeModel({{"x", ""}}, {}, {{}}); }

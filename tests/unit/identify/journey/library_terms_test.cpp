@@ -17,6 +17,7 @@
 #include "lacuna/model/files/ode_text.hpp"
 #include "lacuna/regression/formulations/next_sample.hpp"
 #include "lacuna/trajectories/refiners/no_refiner.hpp"
+#include "support/one_record.hpp"
 #include "unit/identify/pipeline/records.hpp"
 
 namespace lacuna {
@@ -163,9 +164,6 @@ Dataset step_test(const std::vector<double>& values, Index length, double noise,
                   std::uint64_t seed, double step = 0.02) {
   constexpr Index kSamples = 600;
   Random random(seed);
-  Dataset data;
-  data.states = {{"w", ""}};
-  data.inputs = {{"u", ""}};
   Trajectory record;
   record.time.resize(kSamples);
   record.states.resize(kSamples, 1);
@@ -180,8 +178,7 @@ Dataset step_test(const std::vector<double>& values, Index length, double noise,
     record.inputs(i, 0) = u;
     w = 5.0 * u + (w - 5.0 * u) * std::exp(-2.0 * step);
   }
-  data.trajectories = {record};
-  return data;
+  return support::one_record({{"w", ""}}, {{"u", ""}}, record);
 }
 
 std::vector<std::string> names(const Pipeline& pipeline) {
@@ -258,9 +255,6 @@ Dataset record_of(double a, double b, double u0, Index length, std::uint64_t see
   constexpr Index kSamples = 800;
   constexpr double kStep = 0.02;
   Random random(seed);
-  Dataset data;
-  data.states = {{"w", ""}};
-  data.inputs = {{"u", "", Hold::Zero}};
   Trajectory record;
   record.time.resize(kSamples);
   record.states.resize(kSamples, 1);
@@ -273,8 +267,7 @@ Dataset record_of(double a, double b, double u0, Index length, std::uint64_t see
     record.inputs(i, 0) = u;
     w = 10.0 * u / rate + (w - 10.0 * u / rate) * std::exp(-rate * kStep);
   }
-  data.trajectories = {record};
-  return data;
+  return support::one_record({{"w", ""}}, {{"u", "", Hold::Zero}}, record);
 }
 
 std::vector<std::string> terms_of(const OdeModel& model) {

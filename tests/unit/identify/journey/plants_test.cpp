@@ -12,6 +12,7 @@
 #include "lacuna/data/derivatives/finite_differences.hpp"
 #include "lacuna/identify/journey/identify_records.hpp"
 #include "lacuna/records/binding/embedding.hpp"
+#include "support/one_record.hpp"
 
 namespace lacuna {
 namespace {
@@ -183,11 +184,7 @@ Dataset heater(Index late, const std::function<double(Index)>& input) {
     const double level = 0.7 * (i < late ? input(0) : input(i - late));
     rise = level + (rise - level) * std::exp(-1.0 / 60.0);
   }
-  Dataset data;
-  data.states = {{"T", "degC"}};
-  data.inputs = {{"Q", "%", Hold::Zero}};
-  data.trajectories = {record};
-  return data;
+  return support::one_record({{"T", "degC"}}, {{"Q", "%", Hold::Zero}}, record);
 }
 
 TEST(Plants, AtASingleStepTheLinearLawIsTaken) {

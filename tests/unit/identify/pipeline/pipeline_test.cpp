@@ -21,6 +21,7 @@
 #include "lacuna/solvers/stlsq.hpp"
 #include "lacuna/trajectories/refiners/no_refiner.hpp"
 #include "support/expect_error.hpp"
+#include "support/one_record.hpp"
 #include "unit/identify/pipeline/records.hpp"
 
 namespace lacuna {
@@ -44,18 +45,14 @@ Pipeline linear_fit() {
 /// dx/dt = -x + noise of the given standard deviation, known derivatives.
 Dataset noisy_decay(Index samples, double noise, std::uint64_t seed) {
   Random random(seed);
-  Dataset data;
-  data.states = {{"x", "V"}};
   Trajectory record;
   record.source = "decay";
   record.time = Vector::LinSpaced(samples, 0.0, 1.0);
   record.states.resize(samples, 1);
-  record.inputs.resize(samples, 0);
   for (Index i = 0; i < samples; ++i) record.states(i, 0) = random.uniform(-1.0, 1.0);
   record.derivatives = -record.states;
   for (Index i = 0; i < samples; ++i) record.derivatives(i, 0) += noise * random.normal();
-  data.trajectories.push_back(record);
-  return data;
+  return support::one_record({{"x", "V"}}, {}, record);
 }
 
 Stlsq thresholding(double threshold) {

@@ -5,8 +5,12 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <string>
+#include <vector>
 
+#include "core/base/random.hpp"
 #include "lacuna/core/base/error.hpp"
+#include "lacuna/model/equations/ode_model.hpp"
 #include "lacuna/model/files/model_file.hpp"
 #include "lacuna/model/files/ode_text.hpp"
 #include "support/expect_error.hpp"
@@ -31,19 +35,6 @@ initial q = 0 fixed
 
 const WeightedTerm& summand(const OdeModel& model, Index equation, std::size_t i) {
   return model.equations()[static_cast<std::size_t>(equation)][i];
-}
-
-TEST(SystemModel, NumbersBecomeCoefficients) {
-  const OdeModel model = parse_ode(kTank, "m.ode");
-  EXPECT_EQ(model.inputs().size(), 1u);
-  EXPECT_EQ(model.coefficient(0, "sqrt(x)"), -0.05);
-  EXPECT_EQ(model.coefficient(0, "u"), 2.0);
-  EXPECT_EQ(model.coefficient(0, "x/(0.7+x)"), 3.0);
-  EXPECT_EQ(model.coefficient(2, "p"), -0.1);
-  EXPECT_EQ(model.outputs()[0].formula.to_string(), "2*abs(x)+0.05");
-  EXPECT_EQ(model.initial()[0]->deviation, 0.5);
-  EXPECT_TRUE(model.initial()[2]->fixed);
-  EXPECT_FALSE(model.initial()[1].has_value());
 }
 
 TEST(SystemModel, WhatIsKnownStaysFixed) {
@@ -106,6 +97,126 @@ TEST(SystemModel, RefusesWhatDoesNotFit) {
   EXPECT_EQ(range_problem({.name = "k", .value = 2.0, .min = 2.0, .max = 2.0}), "");
   expect_error<ModelError>([&] { SystemModel(model, {{.name = "k", .value = 2, .max = 1.0}}); },
                            "parameter k", "not in its range", "range");
+}
+
+const Variables kVariables{{"x", "y"}, {"u"}};
+
+OdeModel model_of(const std::vector<std::vector<std::pair<double, std::string>>>& equations) {
+  std::vector<Equation> built;
+  for (const auto& equation : equations) {
+    built.emplace_back();
+    for (const auto& [coefficient, text] : equation)
+      built.back().push_back({Term::parse(text, kVariables), coefficient});
+  }
+  return OdeModel({{"x", ""}, {"y", ""}}, {{"u", ""}}, std::move(built));
+}
+
+TEST(CompiledModel, AnEmptyEquationIsZero) {
+  CompiledModel model = model_of({{}, {{0.0, "x"}}}).compile();
+  const double x[2] = {3.0, 5.0};
+  const double u = 0.0;
+  double rate[2] = {9.0, 9.0};
+  model.evaluate(0.0, x, &u, nullptr, rate);
+  EXPECT_EQ(rate[0], 0.0);
+  EXPECT_EQ(rate[1], 0.0);
+  Matrix derivative = Matrix::Constant(2, 2, 9.0);
+  model.jacobian(0.0, x, &u, nullptr, derivative);
+  EXPECT_EQ(derivative, Matrix::Zero(2, 2));
+}
+
+TEST(CompiledModel, DelayedValuesComeInTheOrderOfDelays) {
+  CompiledModel model =
+      model_of({{{1.0, "delay(y,2)"}}, {{1.0, "x*delay(x,1)"}, {10.0, "delay(y,2)"}}})
+          .compile();
+  const std::vector<DelayedVariable> expected{{1, 2.0}, {0, 1.0}};
+  EXPECT_EQ(model.delays(), expected);
+  const double x[2] = {3.0, 5.0};
+  const double u = 0.0;
+  const double delayed[2] = {100.0, 7.0};
+  double rate[2];
+  model.evaluate(0.0, x, &u, delayed, rate);
+  EXPECT_EQ(rate[0], 100.0);
+  EXPECT_EQ(rate[1], 21.0 + 1000.0);
+  Matrix derivative(2, 2);
+  model.jacobian(0.0, x, &u, delayed, derivative);
+  EXPECT_EQ(derivative, (Matrix(2, 2) << 0.0, 0.0, 7.0, 0.0).finished());
+}
+
+TEST(CompiledModel, JacobianAgreesWithFiniteDifferences) {
+  CompiledModel model =
+      model_of({{{1.3, "x^2*y"}, {-0.4, "sin(x*y)"}, {2.0, "u*x"}},
+                {{0.7, "x/y"}, {1.1, "exp(-y)"}, {-2.0, "tanh(x/0.3)"}, {1.0, "t*y"}}})
+          .compile();
+  Random random(1);
+  for (int i = 0; i < 50; ++i) {
+    const double x[2] = {random.uniform(0.5, 2.0), random.uniform(0.5, 2.0)};
+    const double u = random.normal();
+    Matrix derivative(2, 2);
+    model.jacobian(0.7, x, &u, nullptr, derivative);
+    for (Index j = 0; j < 2; ++j) {
+      constexpr double kStep = 1e-6;
+      double above[2] = {x[0], x[1]};
+      double below[2] = {x[0], x[1]};
+      above[j] += kStep;
+      below[j] -= kStep;
+      Vector high(2);
+      Vector low(2);
+      model.evaluate(0.7, above, &u, nullptr, high.data());
+      model.evaluate(0.7, below, &u, nullptr, low.data());
+      EXPECT_LT((derivative.col(j) - (high - low) / (2.0 * kStep)).norm(), 1e-7);
+    }
+  }
+}
+
+TEST(CompiledModel, JacobianFitsIntoABlockOfALargerMatrix) {
+  CompiledModel model = model_of({{{2.0, "y"}}, {{3.0, "x"}}}).compile();
+  const double x[2] = {1.0, 1.0};
+  const double u = 0.0;
+  Matrix large = Matrix::Zero(4, 4);
+  model.jacobian(0.0, x, &u, nullptr, large.block(1, 1, 2, 2));
+  EXPECT_EQ(large(1, 2), 2.0);
+  EXPECT_EQ(large(2, 1), 3.0);
+  EXPECT_EQ(large.sum(), 5.0);
+  Matrix wrong(3, 2);
+  EXPECT_THROW(model.jacobian(0.0, x, &u, nullptr, wrong), ArgumentError);
+}
+
+TEST(CompiledModel, CopiesAreIndependentOfTheModelAndOfEachOther) {
+  CompiledModel first = model_of({{{2.0, "y"}}, {{3.0, "x^2"}}}).compile();
+  CompiledModel second = first;
+  const double x[2] = {1.0, 4.0};
+  const double u = 0.0;
+  double a[2];
+  double b[2];
+  first.evaluate(0.0, x, &u, nullptr, a);
+  Matrix derivative(2, 2);
+  first.jacobian(0.0, x, &u, nullptr, derivative);
+  second.evaluate(0.0, x, &u, nullptr, b);
+  EXPECT_EQ(a[0], b[0]);
+  EXPECT_EQ(a[1], b[1]);
+  EXPECT_EQ(derivative(1, 0), 6.0);
+}
+
+TEST(CompiledModel, AJacobianOfManyStatesHasFewEntries) {
+  constexpr Index kStates = 3000;
+  std::vector<Quantity> states;
+  for (Index i = 0; i < kStates; ++i) states.push_back({"x" + std::to_string(i), ""});
+  const VariableIndex index({names_of(states), {}});
+  std::vector<Equation> equations;
+  for (Index i = 0; i < kStates; ++i) {
+    const std::string next = "x" + std::to_string((i + 1) % kStates);
+    equations.push_back({{Term(parse_expression(next + "^2"), index), 0.5}});
+  }
+  CompiledModel model = OdeModel(states, {}, equations).compile();
+  const Vector x = Vector::LinSpaced(kStates, 1.0, 2.0);
+  Matrix jacobian = Matrix::Constant(kStates, kStates, 7.0);
+  model.jacobian(0.0, x.data(), nullptr, nullptr, jacobian);
+  for (Index i = 0; i < kStates; ++i) {
+    const Index next = (i + 1) % kStates;
+    ASSERT_EQ(jacobian(i, next), x[next]);
+    jacobian(i, next) = 0.0;
+  }
+  EXPECT_TRUE(jacobian.isZero(0.0));
 }
 
 }  // namespace

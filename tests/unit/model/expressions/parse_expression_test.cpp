@@ -4,11 +4,14 @@
 
 #include <numbers>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/base/random.hpp"
 #include "lacuna/core/base/error.hpp"
+#include "lacuna/model/equations/term.hpp"
 #include "lacuna/model/expressions/expression.hpp"
+#include "unit/model/expressions/random_expression.hpp"
 
 namespace lacuna {
 namespace {
@@ -133,6 +136,97 @@ TEST(ParseExpression, GarbageIsAnErrorOrAFormula) {
     }
   }
   EXPECT_GT(formulas, 100);
+}
+
+TEST(PrintExpression, CanonicalTextIsAFixedPoint) {
+  const std::vector<std::string> canonical{
+      "x^2*y",    "sin(th)",      "-x*y",         "x*(y-1)",      "2*x^-1",
+      "x^-y",     "-x^2",         "(-2)^2",       "(-x)^2",       "-(x+y)",
+      "-(x*y)",   "x-(y-z)",      "x-y-z",        "x/(y*z)",      "x/y*z",
+      "x^y^z",    "(x^y)^z",      "x*(-y)",       "x-(-2)",       "x+(-y*z)",
+      "--x",      "max(x,-1)",    "clip(x,-1,1)", "delay(x,0.1)", "1e-300*x",
+      "abs(x)*x", "(x*y)^0.5",    "x^(y+1)",      "sign(x-y)",    "x*(y*z)",
+      "x^-2",     "x^(-y/z)",     "5e-324",       "1e+300*x",     "-2*x",
+      "x^-y^2",   "min(x+1,y*z)", "tanh(x/0.02)", "(x+y)*(x-y)",  "exp(-x)"};
+  for (const std::string& text : canonical) EXPECT_EQ(parse_expression(text).to_string(), text);
+}
+
+TEST(PrintExpression, DropsBlanksAndSuperfluousParentheses) {
+  const std::vector<std::pair<std::string, std::string>> pairs{{" x ^ 2 * ( y ) ", "x^2*y"},
+                                                               {"((x))", "x"},
+                                                               {"(x*y)*z", "x*y*z"},
+                                                               {"(x+y)+z", "x+y+z"},
+                                                               {"x^(y^z)", "x^y^z"},
+                                                               {"sin((x))", "sin(x)"},
+                                                               {"+x", "x"},
+                                                               {"x^(-1)", "x^-1"},
+                                                               {"0.10", "0.1"},
+                                                               {"x--2", "x-(-2)"},
+                                                               {"-(-x)", "--x"},
+                                                               {".5*x", "0.5*x"},
+                                                               {"x\t+\n1", "x+1"},
+                                                               {"- 2", "-2"},
+                                                               {"(-x)*y", "-x*y"}};
+  for (const auto& [written, printed] : pairs)
+    EXPECT_EQ(parse_expression(written).to_string(), printed);
+}
+
+TEST(PrintExpression, ARowOfSignsReadsBack) {
+  for (const std::size_t signs : {2u, 3u, 150u, 198u}) {
+    const Expression e = parse_expression(std::string(signs, '-') + "x*y");
+    EXPECT_EQ(parse_expression(e.to_string()), e) << signs;
+  }
+}
+
+TEST(PrintExpression, WhatIsPrintedReadsBackTheSame) {
+  Random random(20240611);
+  for (int i = 0; i < 5000; ++i) {
+    const Expression e = testing::random_expression(random, 1 + static_cast<int>(i % 7));
+    const std::string text = e.to_string();
+    ASSERT_EQ(parse_expression(text), e) << text;
+    ASSERT_EQ(text.find(' '), std::string::npos);
+  }
+}
+
+const Variables kSpace{{"x", "y", "z"}, {}};
+
+Index operations(const std::vector<std::string>& formulas) {
+  std::vector<Expression> expressions;
+  for (const std::string& formula : formulas) expressions.push_back(parse_expression(formula));
+  return Program(expressions, kSpace).operations();
+}
+
+TEST(ProgramBuilder, IntegerPowersAreProducts) {
+  EXPECT_EQ(operations({"x^2"}), 1);
+  EXPECT_EQ(operations({"x^2*y*z"}), 3);
+  EXPECT_EQ(operations({"x^2*y*z", "x^2*y", "x^2", "x", "1"}), 3);
+  EXPECT_EQ(operations({"x^5", "x^4", "x^3", "x^2"}), 4);
+  EXPECT_LE(operations({"x^64"}), 20);
+  EXPECT_EQ(operations({"x^-1"}), 1);
+  EXPECT_EQ(operations({"x^-2", "x^2"}), 2);
+}
+
+TEST(ProgramBuilder, EverythingIsComputedOnce) {
+  EXPECT_EQ(operations({"sin(x*y)", "cos(y*x)", "exp(-(x*y))"}), 5);
+  EXPECT_EQ(operations({"x+y", "y+x"}), 1);
+  EXPECT_EQ(operations({"x-y", "y-x"}), 2);
+  EXPECT_EQ(operations({"delay(x,1)*y", "y*delay(x,1)"}), 1);
+}
+
+TEST(ProgramBuilder, ConstantsAreFolded) {
+  EXPECT_EQ(operations({"2*pi*50"}), 0);
+  EXPECT_EQ(operations({"sin(2*pi*50*t+3.66519143)"}), 3);
+  EXPECT_EQ(operations({"clip(3,0,1)+x"}), 1);
+}
+
+TEST(ProgramBuilder, AMonomialLibraryIsOneProductPerTerm) {
+  TermLibrary library{kSpace, {}};
+  for (int i = 0; i <= 5; ++i)
+    for (int j = 0; i + j <= 5; ++j)
+      for (int k = 0; i + j + k <= 5; ++k)
+        library.terms.push_back(Term::monomial({i, j, k, 0}, kSpace));
+  EXPECT_EQ(library.size(), 56);
+  EXPECT_EQ(library.compile().operations(), 56 - 4);
 }
 
 }  // namespace

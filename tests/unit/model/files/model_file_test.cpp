@@ -239,24 +239,6 @@ TEST(ModelFileOnDisk, WhatIsWrittenReadsBackAndOthersAreNamed) {
   EXPECT_THROW(write_model(folder.file("no/m.json"), parse_model(kPendulum, "m")), FileError);
 }
 
-TEST(ModelFile, ReadsTheModelsOfTheMeasuredRecords) {
-  const char* root = std::getenv("LACUNA_DATA");
-  if (root == nullptr) GTEST_SKIP() << "LACUNA_DATA is not set";
-  int models = 0;
-  // Records in which every state is measured or defined by one that is.
-  for (const char* folder : {"emps", "silverbox", "practice"}) {
-    const auto place = std::filesystem::path(root) / folder;
-    if (!std::filesystem::exists(place)) continue;
-    for (const auto& entry : std::filesystem::recursive_directory_iterator(place)) {
-      if (entry.path().filename() != "nominal.json") continue;
-      const OdeModel model = read_model(entry.path());
-      EXPECT_EQ(format_model(parse_model(format_model(model), "again")), format_model(model));
-      ++models;
-    }
-  }
-  EXPECT_GT(models, 0) << "no nominal.json under " << root;
-}
-
 TEST(ModelFile, TimeIsContinuousOrDiscrete) {
   const auto text = [](const std::string& time, const std::string& term) {
     return R"({"format": "lacuna.model/1", )" + time +

@@ -67,20 +67,6 @@ TEST(OdeText, LatinLettersInUnitsBecomeUtf8) {
   EXPECT_EQ(parse_ode("state x [\xb5m]\ndx/dt = 1\n", "a.ode").states()[0].unit, "\xc2\xb5m");
 }
 
-TEST(OdeText, EveryTestSystemComesBackFromItsText) {
-  ASSERT_FALSE(test_systems().empty());
-  for (const TestSystem& system : test_systems()) {
-    const OdeModel& model = system.model;
-    const std::string& name = system.name;
-    const OdeModel again = parse_ode(format_ode(model), name);
-    EXPECT_EQ(format_model(again), format_model(parse_model(format_model(again), name)));
-    EXPECT_EQ(to_text(again), to_text(model)) << name;
-    EXPECT_EQ(again.time_unit(), model.time_unit());
-    for (std::size_t k = 0; k < model.states().size(); ++k)
-      EXPECT_EQ(again.states()[k].unit, model.states()[k].unit);
-  }
-}
-
 TEST(OdeText, FilesThatEndInOdeAreText) {
   const testing::TemporaryFolder place;
   const std::string path = place.write("tanks.ode", kTanks);

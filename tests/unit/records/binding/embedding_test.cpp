@@ -12,8 +12,8 @@
 namespace lacuna {
 namespace {
 
-using testing::ElementsAre;
-using testing::Optional;
+using ::testing::ElementsAre;
+using ::testing::Optional;
 
 const FiniteDifferences kEighthOrder{{.order = 8}};
 

@@ -63,22 +63,6 @@ TEST(JoinAcrossGaps, KeepsDerivativesAndDoesNotMixRecordsWithThoseWithout) {
   EXPECT_FALSE(data.trajectories[1].has_derivatives());
 }
 
-TEST(JoinAcrossGaps, DoesNotJoinFiles) {
-  Dataset data = pieces({piece(0, 100, 1), piece(102, 200, 2)});
-  data.trajectories[1].source = "other.csv, piece 2";
-  EXPECT_EQ(join_across_gaps(data).trajectories.size(), 2u);
-}
-
-TEST(JoinAcrossGaps, DoesNotJoinRecordsWithNumbersOfTheirOwn) {
-  Dataset data = pieces({piece(0, 100, 1), piece(100, 200, 2), piece(202, 300, 3)});
-  data.trajectories[0].source = "run.csv, record 1";
-  data.trajectories[1].source = "run.csv, record 2, piece 1";
-  data.trajectories[2].source = "run.csv, record 2, piece 2";
-  EXPECT_THAT(sources(join_across_gaps(data)),
-              ElementsAre("run.csv, record 1", "run.csv, record 2"));
-  EXPECT_EQ(usable_records(data).data.trajectories.size(), 2u);
-}
-
 TEST(NotesOnJumps, SaidWhereTimeIsRegularOtherwise) {
   Dataset data = pieces({piece(0, 100, 1)});
   EXPECT_TRUE(notes_on_jumps(data).empty());

@@ -92,14 +92,6 @@ TEST(ModelView, KeepsWhichStatesWereMade) {
   EXPECT_THAT(model_view(model_of("u"), data).reconstructed, ElementsAre(false, true));
 }
 
-TEST(ModelView, RecordsWithoutInputsHaveNoneForEachSample) {
-  const OdeModel model = chain_model({"x", "y"}, {"", ""});
-  const Dataset view = model_view(model, waves());
-  EXPECT_EQ(view.trajectories[0].inputs.rows(), 400);
-  EXPECT_EQ(view.trajectories[0].inputs.cols(), 0);
-  EXPECT_EQ(view.trajectories[0].states.col(1), waves().trajectories[0].states.col(0));
-}
-
 TEST(ModelView, MakesStatesThatAreDerivatives) {
   const OdeModel model = chain_model({"v", "x", "a", "y"}, {"a", "v", "", ""});
   const Dataset view = model_view(model, waves(), kDifferences);

@@ -37,25 +37,6 @@ Dataset read(const std::vector<std::string>& paths) {
   return read_records(support::harmonic_model(), paths, {}, kDefaultDifferences);
 }
 
-TEST(ReadRecords, HasTheVariablesOfTheModel) {
-  const TemporaryFolder folder;
-  const Dataset data = read({folder.write("a.csv", table_of("t [s],x [m],u [N],spare"))});
-  EXPECT_EQ(data.states, support::harmonic_model().states());
-  EXPECT_EQ(data.inputs, support::harmonic_model().inputs());
-  EXPECT_THAT(data.reconstructed, ElementsAre(false, true));
-  const Trajectory& record = data.trajectories.at(0);
-  const Vector rate = -2.0 * (2.0 * record.time.array()).sin();
-  EXPECT_LT((record.states.col(1) - rate).cwiseAbs().maxCoeff(), 1e-2);
-  EXPECT_EQ(record.inputs.col(0), record.time);
-}
-
-TEST(ReadRecords, WhatIsNeitherThereNorDefinedIsHidden) {
-  const TemporaryFolder folder;
-  const Dataset data = read({folder.write("v.csv", table_of("t,v,u,spare"))});
-  EXPECT_THAT(data.reconstructed, ElementsAre(true, false));
-  EXPECT_TRUE(is_hidden(data, 0));
-}
-
 TEST(ReadConditions, NeedTimesAndInputsAndTakeTheStatesThatAreThere) {
   const TemporaryFolder folder;
   const OdeModel model = support::harmonic_model().with_outputs(
@@ -73,14 +54,6 @@ TEST(ReadConditions, NeedTimesAndInputsAndTakeTheStatesThatAreThere) {
   const Dataset none = read_conditions(model, {folder.write("b.csv", "t,u\n0,1\n1,2\n")}, {});
   EXPECT_TRUE(is_hidden(none, 0) && is_hidden(none, 1));
   EXPECT_THROW(read_conditions(model, {folder.write("c.csv", "t,x\n0,1\n1,2\n")}, {}), DataError);
-}
-
-TEST(ReadRecords, NamesWhatIsMissing) {
-  const TemporaryFolder folder;
-  const std::string nothing = folder.write("v.csv", table_of("t,V,u,spare"));
-  expect_error<DataError>([&] { read({nothing}); }, nothing, "the state 'x'", "a column");
-  const std::string no_input = folder.write("x.csv", table_of("t,x,F,spare"));
-  expect_error<DataError>([&] { read({no_input}); }, no_input, "the input 'u'", "column");
 }
 
 TEST(ReadRecords, WhatIsHiddenInOneFileOnlyIsMeasured) {
@@ -170,13 +143,6 @@ TEST(UnusedPart, IsWhatFollowsTheInputsOfTheModel) {
   ASSERT_EQ(unused.inputs.size(), 1u);
   EXPECT_EQ(unused.inputs[0].name, "G");
   EXPECT_EQ(unused.trajectories[0].inputs, 3.0 * record.time);
-}
-
-TEST(UnusedPart, IsEmptyWhereTheModelKnowsAll) {
-  const Dataset data = support::oscillator_record();
-  EXPECT_EQ(used_part(support::oscillator(), data).trajectories[0].inputs,
-            data.trajectories[0].inputs);
-  EXPECT_EQ(unused_part(support::oscillator(), data).trajectories[0].inputs.cols(), 0);
 }
 
 TEST(ReadInputs, NeedsNoStates) {

@@ -63,40 +63,6 @@ TEST_F(System, NamesTheTermAndTheRowThatAreNotFinite) {
   }
 }
 
-TEST_F(System, CoefficientsDoNotDependOnTheOrderOfRows) {
-  Matrix theta = theta_;
-  Matrix targets = targets_;
-  for (Index i = 0; i < 500; ++i) {
-    theta.row(i).swap(theta.row(999 - i));
-    targets.row(i).swap(targets.row(999 - i));
-  }
-  const Vector expected = make(theta_, targets_).subproblem(0, kAll).solve();
-  EXPECT_LT((make(theta, targets).subproblem(0, kAll).solve() - expected).norm(), 1e-14);
-}
-
-TEST_F(System, CoefficientsDoNotDependOnRowsBeingThereTwice) {
-  Matrix theta(2000, 4);
-  Matrix targets(2000, 2);
-  theta << theta_, theta_;
-  targets << targets_, targets_;
-  const auto once = make(theta_, targets_).subproblem(1, kAll);
-  const auto twice = make(theta, targets).subproblem(1, kAll);
-  EXPECT_LT((once.solve() - twice.solve()).norm(), 1e-14);
-  EXPECT_NEAR(twice.residual_norm(), std::sqrt(2.0) * once.residual_norm(), 1e-12);
-  EXPECT_NEAR(twice.condition() / once.condition(), 1.0, 1e-12);
-}
-
-TEST_F(System, CoefficientsFollowTheScaleOfColumns) {
-  const Vector plain = make(theta_, targets_).subproblem(0, kAll).solve();
-  Matrix theta = theta_;
-  theta.col(0) *= 1e-15;
-  theta.col(1) *= 1e20;
-  const Vector scaled = make(theta, targets_).subproblem(0, kAll).solve();
-  EXPECT_NEAR(scaled[0] * 1e-15, plain[0], 1e-13);
-  EXPECT_NEAR(scaled[1] * 1e20, plain[1], 1e-13);
-  EXPECT_LT((scaled - plain).tail(2).norm(), 1e-13);
-}
-
 TEST_F(System, FactorIsTheSameToTheBitForAnyNumberOfThreads) {
   const Matrix theta = Matrix::Random(100'000, 4);
   const Matrix targets = Matrix::Random(100'000, 2);
@@ -238,15 +204,6 @@ TEST_P(SubproblemFoldings, EliminationEqualsRefitting) {
     EXPECT_EQ(problem.column_norms(), refit.column_norms());
   }
   EXPECT_EQ(problem.size(), 2);
-}
-
-TEST_P(SubproblemFoldings, SolvesNormalEquations) {
-  const TermSet active{0, 3, 7};
-  const Matrix columns = theta_(Eigen::all, active);
-  const Vector gradient = Vector::Random(3);
-  const Vector expected = (columns.transpose() * columns).ldlt().solve(gradient);
-  const Vector found = system_.subproblem(0, active).solve_normal(gradient);
-  EXPECT_LT((found - expected).norm(), 1e-11 * expected.norm());
 }
 
 TEST_P(SubproblemFoldings, InverseGramDiagonal) {

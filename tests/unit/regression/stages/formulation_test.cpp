@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "lacuna/core/base/options.hpp"
+#include "support/one_record.hpp"
 
 namespace lacuna {
 namespace {
@@ -48,11 +49,7 @@ Dataset waves(double offset = 0.0) {
   record.time = Vector::LinSpaced(60, 0.0, 6.0);
   record.states.resize(60, 2);
   record.states << record.time.array().sin() + offset, record.time.array().cos();
-  record.inputs.resize(60, 0);
-  Dataset data;
-  data.states = {{"x", ""}, {"y", ""}};
-  data.trajectories = {record};
-  return data;
+  return support::one_record({{"x", ""}, {"y", ""}}, {}, record);
 }
 
 std::string refusal(const Dataset& data, const Rows& rows = Rows{}) {
@@ -84,14 +81,11 @@ TEST(Formulation, RoundingIsNoVariation) {
 }
 
 TEST(Formulation, AStateThatVariesLateVaries) {
-  Dataset data;
-  data.states = {{"x", ""}, {"y", ""}};
   Trajectory record;
   record.time = Vector::LinSpaced(20000, 0.0, 1.0);
   record.states = Matrix::Random(20000, 2);
   record.states.col(1).setConstant(2.0);
-  record.inputs.resize(20000, 0);
-  data.trajectories = {record};
+  Dataset data = support::one_record({{"x", ""}, {"y", ""}}, {}, record);
   EXPECT_NE(refusal(data).find("is constant (2) in all 20000 samples"), std::string::npos);
   data.trajectories[0].states(19999, 1) = 2.5;
   EXPECT_EQ(refusal(data), "");

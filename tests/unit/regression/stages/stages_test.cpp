@@ -14,6 +14,7 @@
 #include "lacuna/regression/stages/regressor.hpp"
 #include "lacuna/regression/stages/term_filter.hpp"
 #include "lacuna/regression/stages/term_pruner.hpp"
+#include "support/one_record.hpp"
 #include "systems.hpp"
 
 namespace lacuna {
@@ -112,14 +113,10 @@ class Shift final : public Configured<Refiner, ShiftOptions> {
 };
 
 Dataset line() {
-  Dataset data;
-  data.states = {{"x", "m"}};
   Trajectory record;
   record.time = Vector::LinSpaced(5, 0.0, 4.0);
   record.states = record.time;
-  record.inputs.resize(5, 0);
-  data.trajectories = {record};
-  return data;
+  return support::one_record({{"x", "m"}}, {}, record);
 }
 
 TEST(Refiner, RefusesModelsOfOtherStatesAndUnusableData) {

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "support/diagnosis_scope.hpp"
+#include "support/driven_oscillator.hpp"
 
 namespace lacuna {
 namespace {
@@ -36,10 +37,10 @@ Diagnosis made() {
 TEST(DiagnosisReport, SaysItInAFewLines) {
   const std::string text = format_text(made());
   EXPECT_THAT(text,
-              testing::HasSubstr("Equation v: dry friction opposing v (coulomb-friction), "
-                                 "-0.4 +- 0.02 m/s^2 * sign(v), explains 93 %"));
-  EXPECT_THAT(text, testing::HasSubstr("might also be quadratic-drag"));
-  EXPECT_THAT(text, testing::HasSubstr("from 4.9 % to 0.31 % (noise floor 0.3 %)"));
+              ::testing::HasSubstr("Equation v: dry friction opposing v (coulomb-friction), "
+                                   "-0.4 +- 0.02 m/s^2 * sign(v), explains 93 %"));
+  EXPECT_THAT(text, ::testing::HasSubstr("might also be quadratic-drag"));
+  EXPECT_THAT(text, ::testing::HasSubstr("from 4.9 % to 0.31 % (noise floor 0.3 %)"));
   EXPECT_LE(std::count(text.begin(), text.end(), '\n'), 10);
 }
 
@@ -48,17 +49,17 @@ TEST(DiagnosisReport, NoProbabilityContradictsThePlainNameThatLeads) {
   diagnosis.effects.front().probability = 0.1;
   diagnosis.effects.front().alternatives.front().probability = 0.9;
   const std::string text = format_text(diagnosis);
-  EXPECT_THAT(text, testing::HasSubstr("It might also be quadratic-drag v*abs(v), which the "
-                                       "records do not distinguish from it"));
-  EXPECT_THAT(text, testing::Not(testing::HasSubstr("probability")));
+  EXPECT_THAT(text, ::testing::HasSubstr("It might also be quadratic-drag v*abs(v), which the "
+                                         "records do not distinguish from it"));
+  EXPECT_THAT(text, ::testing::Not(::testing::HasSubstr("probability")));
 }
 
 TEST(DiagnosisReport, SaysThatAGapStays) {
   Diagnosis diagnosis = made();
   diagnosis.gap->after = diagnosis.gap->before;
-  EXPECT_THAT(format_text(diagnosis), testing::HasSubstr("the gap stays at 4.9 %"));
+  EXPECT_THAT(format_text(diagnosis), ::testing::HasSubstr("the gap stays at 4.9 %"));
   diagnosis.gap->after *= 2.0;
-  EXPECT_THAT(format_text(diagnosis), testing::HasSubstr("the gap rises from 4.9 %"));
+  EXPECT_THAT(format_text(diagnosis), ::testing::HasSubstr("the gap rises from 4.9 %"));
 }
 
 TEST(DiagnosisReport, JsonHasTheKeysOfTheFormat) {
@@ -94,11 +95,11 @@ TEST(DiagnosisReport, NoHeadlineDeniesAGapThatStays) {
   diagnosis.verdict = Verdict::NoDiscrepancy;
   diagnosis.effects.clear();
   diagnosis.adequacy = {Adequate::Yes, {{"v", Adequate::Yes, 100, true}}};
-  EXPECT_THAT(format_text(diagnosis), testing::HasSubstr("fits the records to their noise"));
+  EXPECT_THAT(format_text(diagnosis), ::testing::HasSubstr("fits the records to their noise"));
   diagnosis.adequacy.fits = Adequate::No;
   diagnosis.verdict = Verdict::UnnamedStructure;
   diagnosis.remaining = {.structure = true, .sigma = 0.0, .equations = {}, .details = {}};
-  EXPECT_THAT(format_text(diagnosis), testing::HasSubstr("on others a gap stays"));
+  EXPECT_THAT(format_text(diagnosis), ::testing::HasSubstr("on others a gap stays"));
   const auto json = nlohmann::json::parse(format_json(diagnosis));
   EXPECT_EQ(json["adequacy"]["fits"], "no");
   EXPECT_EQ(json["adequacy"]["parts"][0]["noise_known"], true);
@@ -113,15 +114,15 @@ TEST(DiagnosisReport, ATwinIsAChoiceAndNoStructureThatIsLeft) {
   diagnosis.effects = {force};
   diagnosis.twins = {twin_of({offset}, diagnosis.nominal)};
   EXPECT_THAT(format_text(diagnosis),
-              testing::StartsWith("Explained but for the choice between constant-offset in "
-                                  "dv/dt and sensor-offset of q."));
+              ::testing::StartsWith("Explained but for the choice between constant-offset in "
+                                    "dv/dt and sensor-offset of q."));
   const auto json = nlohmann::json::parse(format_json(diagnosis));
   EXPECT_EQ(json["verdict"], "partly-explained");
   EXPECT_EQ(json["effects"][0]["claim"], false);
   EXPECT_EQ(json["effects"][0]["not_told_apart"], nlohmann::json({"sensor-offset"}));
   EXPECT_EQ(json["dynamics_or_measurement"], true);
   diagnosis.remaining.equations = {1};
-  EXPECT_THAT(format_text(diagnosis), testing::HasSubstr("significant structure is left"));
+  EXPECT_THAT(format_text(diagnosis), ::testing::HasSubstr("significant structure is left"));
 }
 
 TEST(DiagnosisReport, AReservationIsSaidAsWhatItIs) {
@@ -129,8 +130,8 @@ TEST(DiagnosisReport, AReservationIsSaidAsWhatItIs) {
   diagnosis.verdict = Verdict::PartlyExplained;
   diagnosis.reservations = {"a parameter sits on its bound: T = 3 of delay"};
   const std::string text = format_text(diagnosis);
-  EXPECT_THAT(text, testing::HasSubstr("but a parameter sits on its bound"));
-  EXPECT_THAT(text, testing::Not(testing::HasSubstr("significant structure is left")));
+  EXPECT_THAT(text, ::testing::HasSubstr("but a parameter sits on its bound"));
+  EXPECT_THAT(text, ::testing::Not(::testing::HasSubstr("significant structure is left")));
 }
 
 TEST(DiagnosisReport, ARefusalSaysWhyAndWhatWouldHaveBeenSeen) {
@@ -139,8 +140,8 @@ TEST(DiagnosisReport, ARefusalSaysWhyAndWhatWouldHaveBeenSeen) {
   diagnosis.verdict = Verdict::Undetermined;
   diagnosis.admission = {Standing::Undetermined, "nothing moves", "use records with motion"};
   diagnosis.smallest_effects = {{1, 0.25, 0.5}};
-  EXPECT_THAT(format_text(diagnosis), testing::StartsWith("Undetermined: nothing moves."));
-  EXPECT_THAT(format_text(diagnosis), testing::HasSubstr("from 0.25 m/s^2 rms on (50 %"));
+  EXPECT_THAT(format_text(diagnosis), ::testing::StartsWith("Undetermined: nothing moves."));
+  EXPECT_THAT(format_text(diagnosis), ::testing::HasSubstr("from 0.25 m/s^2 rms on (50 %"));
   const auto json = nlohmann::json::parse(format_json(diagnosis));
   EXPECT_EQ(json["verdict"], "undetermined");
   EXPECT_EQ(json["why"], "nothing moves");
@@ -165,16 +166,16 @@ TEST(DiagnosisReport, SaysWhyThereIsNoAnswer) {
   Diagnosis diagnosis = made();
   diagnosis.verdict = Verdict::UnnamedStructure;
   diagnosis.hints = {{HintKind::Sign, "m", "r", Withheld::Names}};
-  EXPECT_THAT(format_text(diagnosis), testing::HasSubstr("the hint comes first"));
+  EXPECT_THAT(format_text(diagnosis), ::testing::HasSubstr("the hint comes first"));
   diagnosis.hints = {{HintKind::Sign, "m", "r", Withheld::Answer}};
-  EXPECT_THAT(format_text(diagnosis), testing::HasSubstr("No effect is sought"));
+  EXPECT_THAT(format_text(diagnosis), ::testing::HasSubstr("No effect is sought"));
 }
 
 TEST(DiagnosisReport, AForceStandsBesideTheSlopeThatItIsWrittenAs) {
   Diagnosis diagnosis = made();
   diagnosis.effects.front().parameters = {{"width", "m/s", 0.05, {}}, {"force", "", 0.8, {}}};
   EXPECT_THAT(format_text(diagnosis),
-              testing::HasSubstr("sign(v), a force of 0.8 m/s^2, explains"));
+              ::testing::HasSubstr("sign(v), a force of 0.8 m/s^2, explains"));
 }
 
 TEST(DiagnosisReport, WhatExplainsNextToNothingIsANote) {
@@ -185,7 +186,7 @@ TEST(DiagnosisReport, WhatExplainsNextToNothingIsANote) {
   small.gap_closed = 4e-4;
   diagnosis.minor_effects.push_back(small);
   EXPECT_THAT(format_text(diagnosis),
-              testing::HasSubstr("\nNote: Equation v: cubic term in q"));
+              ::testing::HasSubstr("\nNote: Equation v: cubic term in q"));
   const auto json = nlohmann::json::parse(format_json(diagnosis));
   ASSERT_EQ(json["effects"].size(), 1u);
   EXPECT_EQ(json["effects"][0]["claim"], true);
@@ -200,7 +201,8 @@ TEST(DiagnosisReport, WithoutAVerdictEffectsAreCandidates) {
   diagnosis.admission = {Standing::Undetermined, "noise is as slow as that"};
   const std::string text = format_text(diagnosis);
   EXPECT_EQ(text.find("Undetermined: noise is as slow as that.\n"), 0u);
-  EXPECT_THAT(text, testing::HasSubstr("\nA candidate, no finding. Equation v: dry friction"));
+  EXPECT_THAT(text,
+              ::testing::HasSubstr("\nA candidate, no finding. Equation v: dry friction"));
   EXPECT_EQ(nlohmann::json::parse(format_json(diagnosis))["effects"][0]["claim"], false);
 }
 
@@ -212,10 +214,33 @@ TEST(DiagnosisReport, OfManyCoefficientsTheMostSignificantAreListed) {
         {1, "q^" + std::to_string(i + 1), -4.0, -3.9, 0.01, 20.0 - 2.0 * i});  // the last: 4
   diagnosis.coefficient_changes.push_back({1, "v", -4.0, -3.9, 0.1, 1.0});
   const std::string text = format_text(diagnosis);
-  EXPECT_THAT(text, testing::HasSubstr("coefficient of q^4 is"));
-  EXPECT_THAT(text, testing::Not(testing::HasSubstr("coefficient of q^5 is")));
-  EXPECT_THAT(text, testing::HasSubstr("\nAnd 5 more"));
+  EXPECT_THAT(text, ::testing::HasSubstr("coefficient of q^4 is"));
+  EXPECT_THAT(text, ::testing::Not(::testing::HasSubstr("coefficient of q^5 is")));
+  EXPECT_THAT(text, ::testing::HasSubstr("\nAnd 5 more"));
   EXPECT_EQ(nlohmann::json::parse(format_json(diagnosis))["coefficient_changes"].size(), 10u);
+}
+
+Diagnosis with_rivals(std::vector<Rival> rivals) {
+  const OdeModel model = support::oscillator();
+  Diagnosis diagnosis{Verdict::Explained, model, {}, {}, {}, {}, {}, model, {}, {}, {}, {}};
+  diagnosis.rivals = std::move(rivals);
+  return diagnosis;
+}
+
+TEST(DiagnosisTrail, EachCompositeHasItsNumberOrItsRule) {
+  const std::string text = format_trail(with_rivals(
+      {{"named-effects", "dry in dv/dt: sign(v)", 790.0, true, "significance", 12.5, 3.0},
+       {"coloured-noise", "noise with a memory", 812.25, false, "extended-bic", 812.25, 790.0},
+       {"unmeasured-input", "nothing is missing", {}, true, "criterion", 1.0, 2.0, "a rule"}}));
+  EXPECT_EQ(text,
+            "Composite models of the records, in the order in which they were judged:\n"
+            "  + named-effects     dry in dv/dt: sign(v)\n"
+            "      significance 12.5 against 3\n"
+            "  - coloured-noise    noise with a memory\n"
+            "      extended-bic 812.25 against 790\n"
+            "  + unmeasured-input  nothing is missing\n"
+            "      a rule\n"
+            "(+ taken over what was best before, - not taken)\n");
 }
 
 }  // namespace

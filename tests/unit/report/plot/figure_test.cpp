@@ -8,6 +8,9 @@
 #include <cmath>
 #include <sstream>
 
+#include "lacuna/core/base/error.hpp"
+#include "report/plot/heat_figure.hpp"
+#include "report/plot/markup.hpp"
 #include "support/well_formed.hpp"
 
 namespace lacuna {
@@ -145,6 +148,62 @@ TEST(StandAlone, HasItsStyleInside) {
   EXPECT_EQ(text.rfind("<?xml", 0), 0u);
   EXPECT_THAT(text, HasSubstr("<style>"));
   EXPECT_THAT(text, Not(HasSubstr("href")));
+}
+
+HeatFigure two_by_two() {
+  return {"parts",
+          "Parts",
+          {"a", "b<c"},
+          {"0 %", "1 %"},
+          {{"100", "50"}, {"0", "-"}},
+          {{1.0, 0.5}, {0.0, std::nullopt}}};
+}
+
+std::size_t count_of(const std::string& text, const std::string& part) {
+  std::size_t count = 0;
+  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1))
+    ++count;
+  return count;
+}
+
+TEST(HeatFigure, ShadesCellsThatHaveANumber) {
+  const std::string svg = draw(two_by_two()).svg.string();
+  EXPECT_EQ(count_of(svg, "class=\"heat\""), 3u);
+  EXPECT_THAT(svg, HasSubstr("fill-opacity=\"0.6\""));
+  EXPECT_THAT(svg, HasSubstr("fill-opacity=\"0.3\""));
+  EXPECT_THAT(svg, HasSubstr("b&lt;c"));
+}
+
+TEST(HeatFigure, KeepsItsNumbers) {
+  const RowFigure rows = std::get<RowFigure>(draw(two_by_two()).figure);
+  ASSERT_EQ(rows.rows.size(), 4u);
+  EXPECT_EQ(rows.rows[1].label, "a, 1 %");
+  EXPECT_EQ(rows.rows[1].value, 0.5);
+}
+
+TEST(Markup, TextCannotBecomeMarkup) {
+  EXPECT_EQ(escape_markup("<script>alert('1' & \"2\")</script>"),
+            "&lt;script&gt;alert(&#39;1&#39; &amp; &quot;2&quot;)&lt;/script&gt;");
+  EXPECT_EQ(Markup::text("a<b").string(), "a&lt;b");
+}
+
+TEST(Markup, ControlCharactersAndBytesThatAreNoTextAreShown) {
+  EXPECT_EQ(escape_markup("a\x1b[1m"), "a\\x1b[1m");
+  EXPECT_EQ(escape_markup("\xff"), "\\xff");
+  EXPECT_EQ(escape_markup("\u03c6"), "\u03c6");
+}
+
+TEST(Markup, AttributesAreEscaped) {
+  EXPECT_EQ(element("p", {{"title", "\"><b>"}}, Markup::text("x")).string(),
+            "<p title=\"&quot;&gt;&lt;b&gt;\">x</p>");
+  EXPECT_EQ(empty_element("br", {}).string(), "<br/>");
+}
+
+TEST(Markup, PiecesFollowOneAnother) {
+  Markup both = element("i", Markup::text("a")) + Markup::own("<hr/>");
+  both += Markup::text("&");
+  EXPECT_EQ(both.string(), "<i>a</i><hr/>&amp;");
+  EXPECT_TRUE(Markup().empty());
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include "lacuna/model/files/ode_text.hpp"
 #include "lacuna/records/binding/model_view.hpp"
 #include "lacuna/trajectories/design/plan.hpp"
+#include "support/one_record.hpp"
 #include "trajectories/design/refit.hpp"
 
 namespace lacuna {
@@ -183,15 +184,11 @@ SystemModel decay(double k) {
 /// With u = 0: y = exp(-k t) with noise.
 Dataset record(double k, double noise, std::uint64_t seed) {
   Random random(seed);
-  Dataset data;
-  data.states = {{"y", ""}};
-  data.inputs = {{"u", "", Hold::Zero}};
   Trajectory run{"r", Vector::LinSpaced(41, 0.0, 4.0), Matrix(41, 1), Matrix::Zero(41, 1),
                  Matrix()};
   for (Index i = 0; i < 41; ++i)
     run.states(i, 0) = std::exp(-k * run.time[i]) + noise * random.normal();
-  data.trajectories = {std::move(run)};
-  return data;
+  return support::one_record({{"y", ""}}, {{"u", "", Hold::Zero}}, std::move(run));
 }
 
 TEST(InformationOf, IsThatOfTheFormula) {

@@ -17,6 +17,7 @@
 #include "lacuna/records/binding/model_view.hpp"
 #include "lacuna/trajectories/fit/fit.hpp"
 #include "support/expect_error.hpp"
+#include "support/one_record.hpp"
 
 namespace lacuna {
 namespace {
@@ -53,11 +54,7 @@ Dataset record_of(const Emptied& plant, std::uint64_t seed) {
         x[k] = std::max(0.0, x[k] + plant.step / kParts * rate[k]);
     }
   }
-  Dataset data;
-  data.states = {{"y", ""}};
-  data.inputs = {{"u", "", Hold::Zero}};
-  data.trajectories = {record};
-  return data;
+  return support::one_record({{"y", ""}}, {{"u", "", Hold::Zero}}, record);
 }
 
 Fit fitted(const std::string& text, const Emptied& plant, std::uint64_t seed) {

@@ -139,16 +139,6 @@ TEST(Fit, TheErrorOfAStartHasThoseOfTheParametersInIt) {
   EXPECT_NEAR(*number(found, "k").standard_error / std::sqrt(covariance(1, 1)), 1.0, 0.2);
 }
 
-TEST(Fit, ASumIsNoProduct) {
-  const SystemModel system = parse_ode_system(
-      "input u hold linear\nparam a = 0.4\nparam b = 0.4\ndx/dt = -a*x - b*x + 0.9*u\ny = x\n",
-      "s.ode");
-  const Dataset data = support::grey_box(system.model(), {.start = Vector::Constant(1, 2.0)});
-  const Fit found = fit(system, data, {});
-  ASSERT_EQ(found.combinations.size(), 1u);
-  EXPECT_EQ(found.combinations[0].message, "a and b only as a + b");
-}
-
 TEST(Fit, AStateThatNothingShowsIsNamed) {
   const SystemModel system = parse_ode_system(
       "input u hold linear\ndx/dt = -0.4*x + 0.9*u\ndz/dt = -2*z + 0.5*x\ny = x\n", "z.ode");

@@ -10,6 +10,7 @@
 #include "lacuna/bases/monomials.hpp"
 #include "lacuna/model/equations/term.hpp"
 #include "support/noisy_records.hpp"
+#include "support/one_record.hpp"
 #include "trajectories/refiners/reference_path.hpp"
 #include "trajectories/subset_selection/negligible_columns.hpp"
 
@@ -155,15 +156,11 @@ TEST(RateEffects, AreWhatTheOtherTermsCannotSay) {
 
 /// dx/dt = u, u held at 0, 0, 3, 3, -1 over steps of 0.1.
 Dataset ramp(std::optional<Hold> hold) {
-  Dataset data;
-  data.states = {{"x", ""}};
-  data.inputs = {{"u", "", hold}};
   Trajectory record;
   record.time = Vector{{0.0, 0.1, 0.2, 0.3, 0.4, 0.5}};
   record.inputs = Vector{{0.0, 0.0, 3.0, 3.0, -1.0, -1.0}};
   record.states = Vector{{0.0, 0.0, 0.0, 0.3, 0.6, 0.5}};
-  data.trajectories = {record};
-  return data;
+  return support::one_record({{"x", ""}}, {{"u", "", hold}}, record);
 }
 
 Vector input_nodes(const Dataset& data, Index substeps) {

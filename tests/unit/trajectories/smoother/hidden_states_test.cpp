@@ -11,6 +11,7 @@
 #include "lacuna/dynamics/test_systems/measurement.hpp"
 #include "lacuna/model/files/ode_text.hpp"
 #include "support/driven_oscillator.hpp"
+#include "support/one_record.hpp"
 #include "trajectories/smoother/unknown_past.hpp"
 #include "trajectories/smoother/unseen_changes.hpp"
 
@@ -19,14 +20,11 @@ namespace {
 
 /// x measured as sin(t), everything else hidden.
 Dataset sine(const OdeModel& model) {
-  Dataset data;
-  data.states = model.states();
   Trajectory record;
   record.time = Vector::LinSpaced(401, 0.0, 20.0);
   record.states = Matrix::Zero(401, model.dimension());
   record.states.col(0) = record.time.array().sin();
-  record.inputs.resize(401, 0);
-  data.trajectories = {record};
+  Dataset data = support::one_record(model.states(), {}, record);
   data.reconstructed.assign(model.states().size(), true);
   data.reconstructed[0] = false;
   return data;
@@ -151,9 +149,6 @@ TEST(UnknownPast, MovesTheStateAsAValueAnywhereInTheRangeDoes) {
 
 /// Records with states that are no functions of each other.
 Dataset records_of(const OdeModel& model) {
-  Dataset data;
-  data.states = model.states();
-  data.inputs = model.inputs();
   Trajectory record;
   const Index n = 300;
   record.time = Vector::LinSpaced(n, 0.0, 30.0);
@@ -164,8 +159,7 @@ Dataset records_of(const OdeModel& model) {
         1.5 + (record.time.array() * (1.0 + 0.37 * static_cast<double>(k))).sin();
   for (Index j = 0; j < record.inputs.cols(); ++j)
     record.inputs.col(j) = (record.time.array() * (0.31 + 0.2 * static_cast<double>(j))).cos();
-  data.trajectories = {record};
-  return data;
+  return support::one_record(model.states(), model.inputs(), record);
 }
 
 UnseenChanges unseen_of(const std::string& text, const std::vector<bool>& hidden,

@@ -9,6 +9,7 @@
 #include "lacuna/trajectories/smoother/innovation_filter.hpp"
 #include "support/driven_oscillator.hpp"
 #include "support/joint_gaussian.hpp"
+#include "support/one_record.hpp"
 #include "trajectories/smoother/innovation_system.hpp"
 #include "trajectories/smoother/kalman_step.hpp"
 
@@ -197,13 +198,10 @@ TEST(Assimilation, GrowthAtUnitRateIsNoIdentity) {
   const OdeModel growth({{"x", ""}}, {}, {{{Term::parse("x", x), 1.0}}});
   const std::vector<CoefficientPlace> only{{0, 0}};
   EXPECT_EQ(free_coefficients(growth), only);
-  Dataset data;
-  data.states = growth.states();
   Trajectory record;
   record.time = Vector::LinSpaced(200, 0.0, 2.0);
   record.states = (1.1 * record.time.array()).exp();
-  record.inputs.resize(200, 0);
-  data.trajectories = {record};
+  Dataset data = support::one_record(growth.states(), {}, record);
   AssimilationOptions options;
   options.free = free_coefficients(growth);
   const Assimilation fit = assimilate(growth, as_measured(data), options, RunContext{});
