@@ -56,8 +56,10 @@ Diagnosis diagnosed(const std::string& name, Index input, const Recorder& record
   const HiddenCase hidden = case_named(name);
   auto [find, check] = make_records(hidden, 0.01, 3);
   for (Dataset* data : {&find, &check})
-    for (Trajectory& record : data->trajectories)
+    for (Trajectory& record : data->trajectories) {
+      record = rows_of(record, 0, record.samples() / 2);
       record.inputs.col(input) = recorder(record.inputs.col(input));
+    }
   return diagnosis_of(hidden.nominal, find, check);
 }
 

@@ -134,7 +134,7 @@ TEST(Machine, AStageThatLimitsHardAndEarly) {
 TEST(Machine, AStoreThatFillsSlowly) {
   const HiddenCase made =
       CaseBuilder("wall", "A room with a wall behind it",
-                  machine({{"T", "K"}}, {{{"u", 1.0}, {"T", -0.5}}}, Vector{{3.0}}, kSwings))
+                  machine({{"T", "K"}}, {{{"u", 1.0}, {"T", -0.5}}}, Vector{{0.3}}, kSwings))
           .hidden_states({{"wall", {{"T", 0.25}, {"wall", -0.25}}}})
           .hide({"T", {"extra-state"}, {}, "wall-T", 0.4})
           .build();
@@ -142,7 +142,8 @@ TEST(Machine, AStoreThatFillsSlowly) {
   const Diagnosis found = diagnosis_of(made.nominal, records.find, records.check);
   ASSERT_EQ(found.effects.size(), 1u) << in_one_line(found);
   EXPECT_EQ(found.effects[0].name, "extra-state") << in_one_line(found);
-  EXPECT_NEAR(found.effects[0].coefficient, 0.4, 4.0 * found.effects[0].deviation);
+  EXPECT_NEAR(found.effects[0].coefficient, 0.4, 4.0 * found.effects[0].deviation)
+      << in_one_line(found) << to_text(found.augmented, 4);
   const NamedParameter& constant = found.effects[0].parameters.at(0);
   EXPECT_NEAR(constant.value, 4.0, 4.0 * constant.deviation.value());
   EXPECT_LT(constant.deviation.value(), 0.6);

@@ -139,15 +139,15 @@ TEST(Slips, AreToldAndNoEffectIsNamed) {
 
 TEST(Slips, AreNotSeenWhereThereAreNone) {
   ASSERT_FALSE(all_cases().empty());
+  int number = 0;
   for (const HiddenCase& hidden : all_cases()) {
-    const Dataset clean = clean_record(hidden, 3);
-    for (const double level : {0.0, 0.03}) {
-      const BoundRecords records = observed(disturbed(clean, hidden.noise, level, 17));
-      const std::vector<Hint> hints =
-          look_at(hidden.nominal, records, unused_part(hidden.nominal, records.data), {});
-      EXPECT_EQ(withheld_by(hints), Withheld::Nothing)
-          << hidden.name << " " << level << ": " << hints.front().message;
-    }
+    const double level = ++number % 2 == 0 ? 0.03 : 0.0;
+    const BoundRecords records =
+        observed(disturbed(clean_record(hidden, 3), hidden.noise, level, 17));
+    const std::vector<Hint> hints =
+        look_at(hidden.nominal, records, unused_part(hidden.nominal, records.data), {});
+    EXPECT_EQ(withheld_by(hints), Withheld::Nothing)
+        << hidden.name << " " << level << ": " << hints.front().message;
   }
 }
 
@@ -213,7 +213,10 @@ TEST_P(IdentitySensor, SaysNothingOfTheDevice) {
     device.noise = NoiseKind::White;
     Records records = make_records(device, kBenchNoise, seed);
     for (Dataset* data : {&records.find, &records.check})
-      for (Trajectory& record : data->trajectories) GetParam().disturb(record);
+      for (Trajectory& record : data->trajectories) {
+        record = rows_of(record, 0, record.samples() / 2);
+        GetParam().disturb(record);
+      }
     const Diagnosis found = diagnosis_of(device.nominal, records.find, records.check);
     // What the sensor does may be named; the rest is no name.
     const std::set<std::string> of_sensors{"sensor-lag", "sensor-gain", "sensor-offset",

@@ -207,7 +207,8 @@ TEST_F(Reports, TermsOfEquationsAreWholeOnPaperAndOnAPhone) {
       page_of(folder_, "diagnose --model '" + nominal + "' '" + wanted + "'");
   for (const int width : {390, 1280})
     EXPECT_EQ(looked_at(program, folder_, html, width), "7 terms, 1 new; ") << width;
-  const std::string many = page_of(folder_, "identify '" + wanted + "' --states x,v --inputs F");
+  const std::string many =
+      page_of(folder_, "identify '" + wanted + "' --states x,v --inputs F --effort quick");
   for (const int width : {390, 1280})
     EXPECT_THAT(looked_at(program, folder_, many, width),
                 ::testing::MatchesRegex("[0-9]+ terms, 0 new; "))

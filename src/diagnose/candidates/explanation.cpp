@@ -102,9 +102,10 @@ double bridging_density(const Assimilation& from, Index equation) {
 }
 
 /// Where an effect is not known yet its equation has the disturbance that it has without it. A
-/// memory that forgets no sooner than in the middle of a record, as a store that fills slowly,
-/// is estimated with where it began, which the smoother does not know beforehand.
-/// @return whether every effect is known at last in each record.
+/// memory in which its own rate is linear (a lag, a store) is estimated with where it began,
+/// which the smoother does not know beforehand.
+/// @return whether every effect is known at last, and by the middle of each record where that
+/// is not so.
 bool bridge(const Assimilation& from, const OdeModel& nominal,
             const std::vector<FittedEffect>& effects, AugmentedProblem& problem) {
   problem.bridges.assign(problem.data.trajectories.size(), Matrix());
@@ -119,7 +120,9 @@ bool bridge(const Assimilation& from, const OdeModel& nominal,
       const auto known =
           known_from(candidate, as_span(effect.shapes), nominal.variables(), grid);
       if (!known) return false;
-      if (*known > middle || *known <= record.time[0]) continue;
+      if (has_linear_memory(candidate, as_span(effect.shapes))) continue;
+      if (*known > middle) return false;
+      if (*known <= record.time[0]) continue;
       Matrix& bridge = problem.bridges[r];
       if (bridge.size() == 0)
         bridge = Matrix::Zero(problem.model.dimension(), record.samples() - 1);

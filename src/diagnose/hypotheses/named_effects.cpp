@@ -81,7 +81,7 @@ std::vector<Candidate> doubted_forms(const Problem& problem, const CompositeMode
 
 /// Searches that may come to other effects than the best composite model: among plain forms
 /// alone and without the first, for two of them may be the truth of which one that lies between
-/// explains most by itself; without each of its
+/// explains most by itself, where they take no more numbers; without each of its
 /// special forms that may stand for what is missing; where states are hidden, among all
 /// functions of the arguments that it has, along its path, which is nearer to the truth than
 /// the one from which its forms were chosen.
@@ -134,7 +134,9 @@ Proposals OtherChoices::do_propose(const Problem& problem, const CompositeModel&
     FoundEffects next = search_effects(other);
     std::move(next.rivals.begin(), next.rivals.end(), std::back_inserter(trail));
     next.rivals.clear();
-    const bool is_plainer = next.explanation.parameters() < best.explanation.parameters();
+    const Index more = next.explanation.parameters() - best.explanation.parameters();
+    if (other.only_plain && more > 0) continue;
+    const bool is_plainer = more < 0;
     const double needed = is_plainer ? -decision.undecided : decision.undecided;
     const double value = criterion_of(problem, *best.base, next.explanation) + needed;
     if (next.named.empty() || !(value < least)) continue;
