@@ -313,9 +313,10 @@ void add_late_inputs(const EffectSearch& search, const Explanation& current,
 
 /// Fits other forms of the same effect as the best exactly: at their starts, where they were
 /// screened, a soft limit may be nearer to a hard one that lies far away than that itself.
+/// Beside other effects, where less is left, more forms would mean more that fit it by chance.
 void add_siblings(const EffectSearch& search, const Explanation& current, const ShortList& list,
                   std::vector<RankedEffect>& effects) {
-  if (effects.empty()) return;
+  if (effects.empty() || !current.effects.empty()) return;
   std::vector<const ScreenedCandidate*> siblings;
   for (const ScreenedCandidate& one : list.siblings)
     if (are_siblings(one.candidate, effects.front().effect().candidate))
