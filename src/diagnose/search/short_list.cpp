@@ -157,24 +157,28 @@ std::vector<ScreenedCandidate> worth_fitting(const std::vector<ScreenedCandidate
 
 namespace {
 
+/// Candidates that were not taken, though they may be as good as a sibling of theirs that was.
+std::vector<ScreenedCandidate> siblings_of(const std::vector<ScreenedCandidate>& taken,
+                                           const std::vector<ScreenedCandidate>& screened,
+                                           const DecisionOptions& decision) {
+  std::vector<ScreenedCandidate> siblings;
+  for (const ScreenedCandidate& candidate : screened) {
+    if (candidate.gain < decision.worth_fitting * screened.front().gain) continue;
+    const auto is_in = [&](auto relates) {
+      return std::any_of(taken.begin(), taken.end(), [&](const ScreenedCandidate& one) {
+        return relates(one.candidate, candidate.candidate);
+      });
+    };
+    if (is_in(are_siblings) && !is_in(are_one_form)) siblings.push_back(candidate);
+  }
+  return siblings;
+}
+
 void append(const std::vector<ScreenedCandidate>& screened, const DecisionOptions& decision,
             std::shared_ptr<const Assimilation> start, ShortList& list) {
   const int at_least = start ? decision.start_fits : 0;
   const std::vector<ScreenedCandidate> taken = worth_fitting(screened, decision, at_least);
-  const auto is_beside_one = [&](const ScreenedCandidate& candidate) {
-    return std::any_of(taken.begin(), taken.end(), [&](const ScreenedCandidate& one) {
-      return are_siblings(one.candidate, candidate.candidate);
-    });
-  };
-  const auto is_taken = [&](const ScreenedCandidate& candidate) {
-    return std::any_of(taken.begin(), taken.end(), [&](const ScreenedCandidate& one) {
-      return are_one_form(one.candidate, candidate.candidate);
-    });
-  };
-  for (const ScreenedCandidate& candidate : screened)
-    if (!start && candidate.gain >= decision.worth_fitting * screened.front().gain &&
-        is_beside_one(candidate) && !is_taken(candidate))
-      list.siblings.push_back(candidate);
+  if (!start) list.siblings = siblings_of(taken, screened, decision);
   for (const ScreenedCandidate& candidate : taken)
     list.candidates.push_back({candidate, start});
   list.screened += static_cast<Index>(screened.size());
