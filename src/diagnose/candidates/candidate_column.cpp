@@ -217,10 +217,6 @@ std::optional<double> known_from(const Candidate& candidate, std::span<const dou
   return record.slots(*row, record.slots.cols() - 1);
 }
 
-bool has_linear_memory(const Candidate& candidate, std::span<const double> shapes) {
-  return !candidate.memory.empty() && memory_rates(candidate, shapes).affine;
-}
-
 Vector form_along(const Candidate& candidate, std::span<const double> shapes,
                   const Variables& variables, const LinearisedRecord& record) {
   const Expression form = bind_form(candidate, shapes);

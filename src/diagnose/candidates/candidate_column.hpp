@@ -26,9 +26,6 @@ Vector form_along(const Candidate& candidate, std::span<const double> shapes,
 std::optional<double> known_from(const Candidate& candidate, std::span<const double> shapes,
                                  const Variables& variables, const LinearisedRecord& record);
 
-/// Whether the rates of a candidate's memory are linear in it: a lag, a store, no play.
-bool has_linear_memory(const Candidate& candidate, std::span<const double> shapes);
-
 /// A candidate with numbers for its shape parameters. The candidate must outlive it.
 struct Probe {
   const Candidate* candidate;

@@ -101,11 +101,10 @@ double bridging_density(const Assimilation& from, Index equation) {
   return density;
 }
 
-/// Where an effect is not known yet its equation has the disturbance that it has without it. A
-/// memory in which its own rate is linear (a lag, a store) is estimated with where it began,
-/// which the smoother does not know beforehand.
-/// @return whether every effect is known at last, and by the middle of each record where that
-/// is not so.
+/// Where an effect is not known yet its equation has the disturbance that it has without it, to
+/// the middle of a record at most: what a memory that forgets slowly, as a store that fills,
+/// still keeps of its start is estimated by the smoother.
+/// @return whether every effect is known at last in each record.
 bool bridge(const Assimilation& from, const OdeModel& nominal,
             const std::vector<FittedEffect>& effects, AugmentedProblem& problem) {
   problem.bridges.assign(problem.data.trajectories.size(), Matrix());
@@ -120,14 +119,13 @@ bool bridge(const Assimilation& from, const OdeModel& nominal,
       const auto known =
           known_from(candidate, as_span(effect.shapes), nominal.variables(), grid);
       if (!known) return false;
-      if (has_linear_memory(candidate, as_span(effect.shapes))) continue;
-      if (*known > middle) return false;
       if (*known <= record.time[0]) continue;
       Matrix& bridge = problem.bridges[r];
       if (bridge.size() == 0)
         bridge = Matrix::Zero(problem.model.dimension(), record.samples() - 1);
       const double density = bridging_density(from, candidate.equation);
-      for (Index i = 0; i < bridge.cols() && record.time[i] < *known; ++i)
+      const double end = std::min(*known, middle);
+      for (Index i = 0; i < bridge.cols() && record.time[i] < end; ++i)
         bridge(candidate.equation, i) = density;
     }
   }

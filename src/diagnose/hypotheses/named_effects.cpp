@@ -89,8 +89,7 @@ std::vector<EffectSearch> other_searches(const EffectSearch& search,
                                          const CompositeModel& best) {
   std::vector<EffectSearch> others;
   std::vector<Candidate> all_doubted = doubted_forms(search.problem, best);
-  if (!all_doubted.empty() ||
-      has_residual_structure(best.left, search.problem.options.decision)) {
+  if (!all_doubted.empty()) {
     others.push_back(search);
     others.back().only_plain = true;
     const Candidate& first = best.explanation.effects.front().candidate;
