@@ -69,7 +69,8 @@ bool fits_no_worse(const Comparison& fit, double slip_harm) {
 /// Whether a slip is the other unit of an angle, degrees for radians: small swings do not
 /// determine that factor, whose misfit is as little with any smaller one.
 bool is_angle(const OdeModel& model, const Slip& slip) {
-  constexpr double kDegree = std::numbers::pi / 180.0, kSame = 1e-6;
+  constexpr double kDegree = std::numbers::pi / 180.0;  // a fact
+  constexpr double kSame = 1e-6;  // a fact of rounding: one factor on the list
   const Index channel = slip.channels.front();
   if (channel >= model.dimension()) return false;
   const std::string& unit = model.states()[static_cast<std::size_t>(channel)].unit;

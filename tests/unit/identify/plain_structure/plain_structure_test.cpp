@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <functional>
+#include <vector>
 
 #include "core/base/random.hpp"
 #include "identify/plain_structure/plain_equations.hpp"
@@ -33,6 +35,27 @@ Dataset record_of(const char* channel, const Vector& samples, const Vector& inpu
   return data;
 }
 
+/// The place of a carriage behind an encoder, pushed by levels that change every 40 samples.
+/// @param acceleration of the speed and the input at a time in steps of kStep / kFine.
+constexpr int kFine = 100;
+Dataset carriage(double lattice,
+                 const std::function<double(double v, double u)>& acceleration) {
+  constexpr Index kSamples = 600;
+  Vector path(kSamples), force(kSamples);
+  Random random(5);
+  double x = 0.0, v = 0.0, u = 0.0;
+  for (Index i = 0; i < kSamples; ++i) {
+    if (i % 40 == 0) u = random.normal();
+    force[i] = u;
+    path[i] = lattice * std::round(x / lattice);
+    for (int s = 0; s < kFine; ++s) {
+      v += kStep / kFine * acceleration(v, u);
+      x += kStep / kFine * v;
+    }
+  }
+  return embed(record_of("x", path, force), {{"x", 2}}, FiniteDifferences{});
+}
+
 /// A level with three samples below 0, which means over many samples do not show.
 TEST(PlainStructure, RootsOfSamplesBelowZeroAreNoCandidates) {
   constexpr Index kSamples = 400;
@@ -54,20 +77,9 @@ TEST(PlainStructure, RootsOfSamplesBelowZeroAreNoCandidates) {
 /// three digits, more or less than it is.
 TEST(PlainStructure, AWidthAtItsBoundIsWritten) {
   for (const double strength : {4.3, 5.0}) {
-    constexpr Index kSamples = 600, kFine = 100;
-    Vector path(kSamples), force(kSamples);
-    Random random(5);
-    double x = 0.0, v = 0.0, u = 0.0;
-    for (Index i = 0; i < kSamples; ++i) {
-      if (i % 40 == 0) u = random.normal();
-      force[i] = u;
-      path[i] = 1e-4 * std::round(1e4 * x);
-      for (Index s = 0; s < kFine; ++s) {
-        v += kStep / kFine * (strength * u - 2.0 * v - 1.2 * std::tanh(v / 1e-4));
-        x += kStep / kFine * v;
-      }
-    }
-    const Dataset data = embed(record_of("x", path, force), {{"x", 2}}, FiniteDifferences{});
+    const Dataset data = carriage(1e-4, [&](double v, double u) {
+      return strength * u - 2.0 * v - 1.2 * std::tanh(v / 1e-4);
+    });
     const IdentificationResult found{
         parse_ode("input u\ndx/dt = x_d1\ndx_d1/dt = 3*u - 2*x_d1\n", "made"), {}, {}, {}, {},
         {}};
@@ -81,22 +93,12 @@ TEST(PlainStructure, AWidthAtItsBoundIsWritten) {
 /// A force that is stronger one way, 2.4 samples late, beside equations without that, whose
 /// dead time of 2.7 makes up for it.
 TEST(PlainStructure, DeadTimesAreThoseOfTheNewTerms) {
-  constexpr Index kSamples = 600, kFine = 100, kLate = 240;
-  Vector path(kSamples), force(kSamples);
-  Random random(5);
+  constexpr std::size_t kLate = 240;  // fine steps
   std::vector<double> acting(kLate, 0.0);
-  double x = 0.0, v = 0.0, u = 0.0;
-  for (Index i = 0; i < kSamples; ++i) {
-    if (i % 40 == 0) u = random.normal();
-    force[i] = u;
-    path[i] = 1e-5 * std::round(1e5 * x);
-    for (Index s = 0; s < kFine; ++s) {
-      acting.push_back(7.5 * u + 0.5 * std::abs(u));
-      v += kStep / kFine * (acting[acting.size() - 1 - kLate] - 4.0 * v);
-      x += kStep / kFine * v;
-    }
-  }
-  const Dataset data = embed(record_of("x", path, force), {{"x", 2}}, FiniteDifferences{});
+  const Dataset data = carriage(1e-5, [&](double v, double u) {
+    acting.push_back(7.5 * u + 0.5 * std::abs(u));
+    return acting[acting.size() - 1 - kLate] - 4.0 * v;
+  });
   const IdentificationResult found{
       parse_ode("input u hold zero\ndx/dt = x_d1\ndx_d1/dt = 7.4*u - 4*x_d1\n", "made"),
       {},
