@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/bases/compositions.hpp"
+#include "bases/compositions.hpp"
 
 #include <algorithm>
 #include <iterator>
@@ -49,6 +49,12 @@ std::vector<Term> ProductOfBases::do_terms(const Variables& variables) const {
   std::vector<Term> terms;
   for (auto& [degree, product] : products) terms.push_back(std::move(product));
   return terms;
+}
+
+Stage<Basis> sum_of_bases(const SumOfBasesOptions& options) { return SumOfBases(options); }
+
+Stage<Basis> product_of_bases(const ProductOfBasesOptions& options) {
+  return ProductOfBases(options);
 }
 
 }  // namespace lacuna

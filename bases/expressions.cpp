@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/bases/expressions.hpp"
+#include "bases/expressions.hpp"
 
 #include "bases/term_list.hpp"
 
@@ -8,5 +8,7 @@ namespace lacuna {
 std::vector<Term> Expressions::do_terms(const Variables& variables) const {
   return parse_term_list("expressions.terms", options().terms, variables);
 }
+
+Stage<Basis> expressions(const ExpressionsOptions& options) { return Expressions(options); }
 
 }  // namespace lacuna

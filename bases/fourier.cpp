@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/bases/fourier.hpp"
+#include "bases/fourier.hpp"
 
 namespace lacuna {
 namespace {
@@ -32,5 +32,7 @@ std::vector<Term> Fourier::do_terms(const Variables& variables) const {
         terms.emplace_back(Expression::make(wave, {angle(k * o.wave_number, name)}), variables);
   return terms;
 }
+
+Stage<Basis> fourier(const FourierOptions& options) { return Fourier(options); }
 
 }  // namespace lacuna

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/bases/monomials.hpp"
+#include "bases/monomials.hpp"
 
 #include <algorithm>
 #include <cstdlib>
@@ -134,5 +134,7 @@ std::vector<Term> Monomials::do_terms(const Variables& variables) const {
   std::erase_if(terms, [&](const Term& term) { return left_out.contains(term.name()); });
   return terms;
 }
+
+Stage<Basis> monomials(const MonomialsOptions& options) { return Monomials(options); }
 
 }  // namespace lacuna

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/bases/orthogonal_polynomials.hpp"
+#include "bases/orthogonal_polynomials.hpp"
 
 #include <functional>
 #include <string>
@@ -41,7 +41,7 @@ std::string polynomial_text(const Vector& coefficients, const std::string& s) {
 }  // namespace
 
 std::vector<Term> orthogonal_terms(const PolynomialFamily& family,
-                                   const PolynomialProducts& products,
+                                   const OrthogonalPolynomialsOptions& products,
                                    const Variables& variables) {
   const std::string where(family.info.name);
   check_range_of_axis(where, products.low, products.high);
@@ -69,6 +69,18 @@ std::vector<Term> orthogonal_terms(const PolynomialFamily& family,
       };
   for (int degree = 0; degree <= products.max_degree; ++degree) add(0, degree, "");
   return terms;
+}
+
+Stage<Basis> chebyshev(const OrthogonalPolynomialsOptions& options) {
+  return OrthogonalPolynomials<kChebyshev>({options});
+}
+
+Stage<Basis> legendre(const OrthogonalPolynomialsOptions& options) {
+  return OrthogonalPolynomials<kLegendre>({options});
+}
+
+Stage<Basis> hermite(const OrthogonalPolynomialsOptions& options) {
+  return OrthogonalPolynomials<kHermite>({options});
 }
 
 }  // namespace lacuna

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/bases/piecewise_linear.hpp"
+#include "bases/piecewise_linear.hpp"
 
 #include "bases/axis.hpp"
 
@@ -14,6 +14,10 @@ std::vector<Term> PiecewiseLinear::do_terms(const Variables& variables) const {
     for (const double bend : places_between(o.low, o.high, o.count))
       terms.push_back(Term::parse("max(" + shifted_axis(name, bend) + ",0)", variables));
   return terms;
+}
+
+Stage<Basis> piecewise_linear(const PiecewiseLinearOptions& options) {
+  return PiecewiseLinear(options);
 }
 
 }  // namespace lacuna

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/bases/radial.hpp"
+#include "bases/radial.hpp"
 
 #include "bases/axis.hpp"
 #include "core/base/text.hpp"
@@ -18,6 +18,10 @@ std::vector<Term> RadialFunctions::do_terms(const Variables& variables) const {
       terms.push_back(
           Term::parse("exp(-" + factor + "*" + shifted_axis(name, centre) + "^2)", variables));
   return terms;
+}
+
+Stage<Basis> radial_functions(const RadialFunctionsOptions& options) {
+  return RadialFunctions(options);
 }
 
 }  // namespace lacuna

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/bases/real_powers.hpp"
+#include "bases/real_powers.hpp"
 
 #include <cmath>
 
@@ -34,5 +34,7 @@ std::vector<Term> RealPowers::do_terms(const Variables& variables) const {
           Term::parse(power_text(name, exponent_of(exponent), o.signed_powers), variables));
   return terms;
 }
+
+Stage<Basis> real_powers(const RealPowersOptions& options) { return RealPowers(options); }
 
 }  // namespace lacuna

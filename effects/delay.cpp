@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "lacuna/effects/families.hpp"
+#include "effects/families.hpp"
 #include "lacuna/effects/forms.hpp"
 #include "lacuna/effects/patterns.hpp"
 #include "lacuna/effects/terms.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 
-#include "lacuna/effects/families.hpp"
+#include "effects/families.hpp"
 #include "lacuna/effects/forms.hpp"
 #include "lacuna/effects/patterns.hpp"
 #include "lacuna/effects/terms.hpp"

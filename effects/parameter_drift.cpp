@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/effects/families.hpp"
+#include "effects/families.hpp"
 #include "lacuna/effects/forms.hpp"
 #include "lacuna/effects/patterns.hpp"
 #include "lacuna/effects/terms.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include "effects/families.hpp"
 #include "forms/candidate/tone.hpp"
-#include "lacuna/effects/families.hpp"
 #include "lacuna/effects/patterns.hpp"
 #include "lacuna/effects/terms.hpp"
 

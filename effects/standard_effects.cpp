@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/effects/families.hpp"
+#include "effects/families.hpp"
 
 namespace lacuna {
 namespace {

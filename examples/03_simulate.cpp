@@ -2,8 +2,8 @@
 // A model written by hand, simulated, and its orbit written as a record.
 #include <iostream>
 
-#include "lacuna/dynamics/integration/runge_kutta.hpp"
 #include "lacuna/dynamics/integration/simulate.hpp"
+#include "lacuna/dynamics/integrators.hpp"
 #include "lacuna/model/equations/written_model.hpp"
 #include "lacuna/model/expressions/functions.hpp"
 
@@ -14,7 +14,7 @@ int main() {
       written_model({{"th", "rad"}, {"w", "rad/s"}}, {w, -19.62 * sin(th) - 0.15 * w});
 
   const Vector start = Eigen::Vector2d(2.0, 0.0);
-  const Solution orbit = simulate(model, Dopri5{}, start, sample_times(0.0, 0.01, 1001));
+  const Solution orbit = simulate(model, dopri5(), start, sample_times(0.0, 0.01, 1001));
   std::cout << to_text(model) << "\nafter " << orbit.end_time
             << " s: th = " << orbit.end_state[0] << " rad, w = " << orbit.end_state[1]
             << " rad/s\n";

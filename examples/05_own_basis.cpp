@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A basis of one's own in one file, and the whole `lacuna` command with it:
 //   example_05_own_basis identify RECORD --set basis=harmonics --set basis.harmonics=2
-#include "lacuna/bases/monomials.hpp"
+#include "lacuna/bases/bases.hpp"
 #include "lacuna/cli/commands/cli.hpp"
 
 namespace {

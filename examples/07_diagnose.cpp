@@ -12,7 +12,7 @@ int main() {
   const OdeModel bench = written_model(states, {w, -9.81 * sin(th) - 0.1 * w - 0.15 * sign(w)});
 
   const Solution swing =
-      simulate(bench, Rk4{}, Vector{{1.5, 0.0}}, sample_times(0.0, 0.01, 2001));
+      simulate(bench, rk4(), Vector{{1.5, 0.0}}, sample_times(0.0, 0.01, 2001));
   Dataset measured;
   measured.states = {{"w", "rad/s"}, {"th", "rad"}};  // columns in any order
   measured.trajectories.resize(1);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/solvers/best_subset.hpp"
+#include "solvers/best_subset.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -44,5 +44,7 @@ Regression BestSubset::do_fit(const LeastSquaresSystem& system, const Subproblem
   }
   return regression_on(system, problem, choice, effort, context);
 }
+
+Stage<Regressor> best_subset(const BestSubsetOptions& options) { return BestSubset(options); }
 
 }  // namespace lacuna

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/solvers/elastic_net.hpp"
+#include "solvers/elastic_net.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -25,8 +25,9 @@ Vector relative_penalties(const Subproblem& problem, double adaptivity) {
 
 }  // namespace
 
-Vector elastic_net(const Matrix& triangle, const Vector& target,
-                   const ElasticPenalty& penalty, Vector start, const RunContext& context) {
+Vector elastic_net_minimum(const Matrix& triangle, const Vector& target,
+                           const ElasticPenalty& penalty, Vector start,
+                           const RunContext& context) {
   check_argument(triangle.rows() == target.size() && triangle.cols() == start.size(),
                  "elastic_net", "triangle, target and start have different sizes");
   check_argument(penalty.l1.size() == start.size(), "elastic_net",
@@ -71,7 +72,7 @@ Regression ElasticNet::do_fit(const LeastSquaresSystem& system, const Subproblem
   for (int point = 0; point < options().points; ++point, lambda *= factor) {
     const ElasticPenalty penalty{lambda * options().mix * relative,
                                  lambda * (1.0 - options().mix)};
-    z = elastic_net(triangle, target, penalty, std::move(z), context);
+    z = elastic_net_minimum(triangle, target, penalty, std::move(z), context);
     ++choice.iterations;
     const TermSet positions = support_of(z);
     if (!seen.insert(positions).second) continue;
@@ -88,5 +89,7 @@ Regression ElasticNet::do_fit(const LeastSquaresSystem& system, const Subproblem
   choice.threshold *= fraction;
   return regression_on(system, problem, choice, effort, context);
 }
+
+Stage<Regressor> elastic_net(const ElasticNetOptions& options) { return ElasticNet(options); }
 
 }  // namespace lacuna

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/solvers/ensemble.hpp"
+#include "solvers/ensemble.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -88,5 +88,7 @@ Regression Ensemble::do_fit(const LeastSquaresSystem& system, const Subproblem& 
       choice.positions.push_back(i);
   return regression_on(system, problem, choice, effort, context);
 }
+
+Stage<Regressor> ensemble(const EnsembleOptions& options) { return Ensemble(options); }
 
 }  // namespace lacuna

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/solvers/entropic.hpp"
+#include "solvers/entropic.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -311,5 +311,7 @@ Regression Entropic::do_fit(const LeastSquaresSystem& system, const Subproblem& 
   result.converged = settled.converged;
   return result;
 }
+
+Stage<Regressor> entropic(const EntropicOptions& options) { return Entropic(options); }
 
 }  // namespace lacuna

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/solvers/frols.hpp"
+#include "solvers/frols.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -51,5 +51,7 @@ Regression Frols::do_fit(const LeastSquaresSystem& system, const Subproblem& pro
   }
   return regression_on(system, problem, choice, effort, context);
 }
+
+Stage<Regressor> frols(const FrolsOptions& options) { return Frols(options); }
 
 }  // namespace lacuna

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/solvers/gls.hpp"
+#include "solvers/gls.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -50,5 +50,7 @@ Regression Gls::do_fit(const LeastSquaresSystem& system, const Subproblem& probl
   result.residual_norm = problem.residual_norm(result.coefficients);
   return result;
 }
+
+Stage<Regressor> gls(const GlsOptions& options) { return Gls(options); }
 
 }  // namespace lacuna

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/solvers/irls.hpp"
+#include "solvers/irls.hpp"
 
 #include <algorithm>
 
@@ -23,5 +23,7 @@ Regression Irls::do_fit(const LeastSquaresSystem& system, const Subproblem& prob
   return {problem.active(), found.coefficients, problem.residual_norm(found.coefficients),
           found.converged, found.iterations};
 }
+
+Stage<Regressor> irls(const IrlsOptions& options) { return Irls(options); }
 
 }  // namespace lacuna

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/solvers/irls_l1.hpp"
+#include "solvers/irls_l1.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -91,5 +91,7 @@ Regression IrlsL1::do_fit(const LeastSquaresSystem& system, const Subproblem& pr
   drop_zeros(found.coefficients, gradient, penalty, result);
   return result;
 }
+
+Stage<Regressor> irls_l1(const IrlsL1Options& options) { return IrlsL1(options); }
 
 }  // namespace lacuna

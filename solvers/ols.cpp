@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/solvers/ols.hpp"
+#include "solvers/ols.hpp"
 
 namespace lacuna {
 
@@ -15,5 +15,7 @@ Regression Ols::do_fit(const LeastSquaresSystem& system, const Subproblem& probl
   }
   return result;
 }
+
+Stage<Regressor> ols(const OlsOptions& options) { return Ols(options); }
 
 }  // namespace lacuna

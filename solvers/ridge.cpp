@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/solvers/ridge.hpp"
+#include "solvers/ridge.hpp"
 
 #include <algorithm>
 
@@ -29,5 +29,7 @@ Regression Ridge::do_fit(const LeastSquaresSystem&, const Subproblem& problem, E
   const Vector h = (norms.array() > 0.0).select(z.array() / norms.array(), 0.0);
   return {problem.active(), h, problem.residual_norm(h)};
 }
+
+Stage<Regressor> ridge(const RidgeOptions& options) { return Ridge(options); }
 
 }  // namespace lacuna

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/solvers/sr3.hpp"
+#include "solvers/sr3.hpp"
 
 #include <Eigen/Cholesky>
 #include <cmath>
@@ -48,5 +48,7 @@ Regression Sr3::do_fit(const LeastSquaresSystem& system, const Subproblem& probl
   choice.values = z.cwiseAbs() * (scale > 0.0 ? 1.0 / scale : 0.0);
   return regression_on(system, problem, choice, effort, context);
 }
+
+Stage<Regressor> sr3(const Sr3Options& options) { return Sr3(options); }
 
 }  // namespace lacuna

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/solvers/stlsq.hpp"
+#include "solvers/stlsq.hpp"
 
 #include <cmath>
 
@@ -66,5 +66,7 @@ Regression Stlsq::do_fit(const LeastSquaresSystem& system, const Subproblem& pro
     result.coefficients = system.refined(left, result.coefficients, context);
   return result;
 }
+
+Stage<Regressor> stlsq(const StlsqOptions& options) { return Stlsq(options); }
 
 }  // namespace lacuna

@@ -4,11 +4,9 @@
 
 #include <cmath>
 
-#include "lacuna/dynamics/integration/automatic.hpp"
-#include "lacuna/dynamics/integration/cvode.hpp"
-#include "lacuna/dynamics/integration/runge_kutta.hpp"
 #include "lacuna/dynamics/integration/simulate.hpp"
 #include "lacuna/dynamics/integration/synchroniser.hpp"
+#include "lacuna/dynamics/integrators.hpp"
 #include "lacuna/dynamics/test_systems/measurement.hpp"
 #include "lacuna/dynamics/test_systems/test_systems.hpp"
 
@@ -32,17 +30,17 @@ void step_by_step(benchmark::State& state, const Integrator& integrator) {
   state.SetItemsProcessed(state.iterations());
 }
 
-void rk4_step(benchmark::State& state) { step_by_step(state, Rk4{}); }
+void rk4_step(benchmark::State& state) { step_by_step(state, rk4()); }
 BENCHMARK(rk4_step);
 
-void dopri8_step(benchmark::State& state) { step_by_step(state, Dopri8{}); }
+void dopri8_step(benchmark::State& state) { step_by_step(state, dopri8()); }
 BENCHMARK(dopri8_step);
 
 void simulated_model(benchmark::State& state, const std::string& name) {
   const TestSystem& system = test_system(name);
   const Vector times = sample_times(0.0, system.step, 10001);
   for (auto _ : state)
-    benchmark::DoNotOptimize(simulate(system.model, Rk4{}, system.start, times));
+    benchmark::DoNotOptimize(simulate(system.model, rk4(), system.start, times));
   state.SetItemsProcessed(state.iterations() * 10000);
 }
 BENCHMARK_CAPTURE(simulated_model, rossler_7_terms, "rossler")->Unit(benchmark::kMillisecond);
@@ -73,31 +71,31 @@ void smooth_orbit(benchmark::State& state, const Integrator& integrator) {
     benchmark::DoNotOptimize(simulate(system.model, integrator, system.start, times));
 }
 
-BENCHMARK_CAPTURE(stiff_orbit, dopri5, Dopri5{})->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(stiff_orbit, auto, Automatic{}) -> Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(smooth_orbit, dopri5, Dopri5{})->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(smooth_orbit, auto, Automatic{}) -> Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(stiff_orbit, dopri5, dopri5())->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(stiff_orbit, auto, automatic()) -> Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(smooth_orbit, dopri5, dopri5())->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(smooth_orbit, auto, automatic()) -> Unit(benchmark::kMillisecond);
 
 void stiff_orbit_by_cvode(benchmark::State& state) {
   if (!Cvode::unavailable().empty()) return state.SkipWithError("built without SUNDIALS");
-  stiff_orbit(state, Cvode{});
+  stiff_orbit(state, cvode());
 }
 BENCHMARK(stiff_orbit_by_cvode)->Unit(benchmark::kMillisecond);
 
 void synchroniser_step(benchmark::State& state, const std::string& name,
                        const Integrator& integrator) {
   const TestSystem& system = test_system(name);
-  const Dataset record = record_of(system.model, Dopri8{}, system.start, system.step, 10001);
+  const Dataset record = record_of(system.model, dopri8(), system.start, system.step, 10001);
   const SyncOptions options{.coupling = default_coupling(record)};
   for (auto _ : state)
     benchmark::DoNotOptimize(synchronise(system.model, record, integrator, options));
   state.SetItemsProcessed(state.iterations() * 10000);
 }
-BENCHMARK_CAPTURE(synchroniser_step, rk4_rossler_7_terms, "rossler", Rk4{})
+BENCHMARK_CAPTURE(synchroniser_step, rk4_rossler_7_terms, "rossler", rk4())
     ->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(synchroniser_step, rk4_tl072_60_terms, "tl072", Rk4{})
+BENCHMARK_CAPTURE(synchroniser_step, rk4_tl072_60_terms, "tl072", rk4())
     ->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(synchroniser_step, dopri8_tl072_60_terms, "tl072", Dopri8{})
+BENCHMARK_CAPTURE(synchroniser_step, dopri8_tl072_60_terms, "tl072", dopri8())
     ->Unit(benchmark::kMillisecond);
 
 }  // namespace

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "lacuna/identify/pipeline/presets.hpp"
-#include "lacuna/trajectories/refiners/no_refiner.hpp"
+#include "lacuna/trajectories/refiners.hpp"
 #include "support/rossler_data.hpp"
 
 namespace lacuna {
@@ -25,7 +25,7 @@ Dataset rossler_record(bool with_derivatives) {
 void algorithm1_on(benchmark::State& state, bool with_derivatives) {
   const Dataset record = rossler_record(with_derivatives);
   Pipeline pipeline = algorithm1();
-  pipeline.refiner = NoRefiner{};
+  pipeline.refiner = no_refiner();
   for (auto _ : state) benchmark::DoNotOptimize(identify(record, pipeline).fit.size());
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <benchmark/benchmark.h>
 
-#include "lacuna/dynamics/integration/runge_kutta.hpp"
+#include "lacuna/dynamics/integrators.hpp"
 #include "lacuna/dynamics/test_systems/measurement.hpp"
 #include "lacuna/dynamics/test_systems/test_systems.hpp"
 #include "trajectories/shooting/refine.hpp"
@@ -13,8 +13,7 @@ namespace {
 Dataset lorenz_record(Index n) {
   const TestSystem& system = test_system("lorenz");
   return add_relative_noise(
-      record_of(system.model, Dopri8{Dopri8Options{.substeps = 4}}, system.start, 0.01, n),
-      0.01, 1);
+      record_of(system.model, dopri8({.substeps = 4}), system.start, 0.01, n), 0.01, 1);
 }
 
 void refine_lorenz(benchmark::State& state) {

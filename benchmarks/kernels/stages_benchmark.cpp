@@ -3,20 +3,13 @@
 // derivatives with 0.1 % noise, all three equations.
 #include <benchmark/benchmark.h>
 
-#include "lacuna/regression/filters/abm.hpp"
-#include "lacuna/regression/filters/none.hpp"
-#include "lacuna/regression/filters/svd_filter.hpp"
-#include "lacuna/regression/pruners/information_criterion.hpp"
-#include "lacuna/regression/pruners/keep_all.hpp"
-#include "lacuna/regression/pruners/minor_terms.hpp"
-#include "lacuna/regression/pruners/sequential_thresholding.hpp"
-#include "lacuna/solvers/irls.hpp"
-#include "lacuna/solvers/irls_l1.hpp"
-#include "lacuna/solvers/l1/l1_ceres.hpp"
-#include "lacuna/solvers/l1/l1_coordinate_descent.hpp"
-#include "lacuna/solvers/l1/l1_nlopt.hpp"
-#include "lacuna/solvers/ols.hpp"
-#include "lacuna/solvers/stlsq.hpp"
+#include "lacuna/regression/filters.hpp"
+#include "lacuna/regression/pruners.hpp"
+#include "lacuna/solvers/least_squares.hpp"
+#include "lacuna/solvers/selection.hpp"
+#include "solvers/l1/l1_ceres.hpp"
+#include "solvers/l1/l1_coordinate_descent.hpp"
+#include "solvers/l1/l1_nlopt.hpp"
 #include "support/rossler_system.hpp"
 
 namespace lacuna {
@@ -48,14 +41,14 @@ void pruner(benchmark::State& state, const Stage<TermPruner>& stage) {
   const LeastSquaresSystem& system = rossler_system();
   for (auto _ : state)
     for (Index k = 0; k < system.targets(); ++k)
-      benchmark::DoNotOptimize(stage->prune(system, k, system.all_terms(), Ols()));
+      benchmark::DoNotOptimize(stage->prune(system, k, system.all_terms(), ols()));
 }
 
 void pruner_with_irls(benchmark::State& state, const Stage<TermPruner>& stage) {
   const LeastSquaresSystem& system = rossler_system();
   for (auto _ : state)
     for (Index k = 0; k < system.targets(); ++k)
-      benchmark::DoNotOptimize(stage->prune(system, k, system.all_terms(), Irls()));
+      benchmark::DoNotOptimize(stage->prune(system, k, system.all_terms(), irls()));
 }
 
 /// An unavailable inner solver is reported as skipped.
@@ -63,25 +56,25 @@ template <class Inner>
 void irls_l1(benchmark::State& state) {
   if constexpr (requires { Inner::unavailable(); })
     if (!Inner::unavailable().empty()) return state.SkipWithError("not built in");
-  regressor(state, IrlsL1({.inner = Inner()}));
+  regressor(state, irls_l1({.inner = Inner()}));
 }
 
-BENCHMARK_CAPTURE(filter, none, NoFilter())->Unit(benchmark::kMicrosecond);
-BENCHMARK_CAPTURE(filter, abm, Abm())->Unit(benchmark::kMicrosecond);
-BENCHMARK_CAPTURE(filter, svd, SvdFilter())->Unit(benchmark::kMicrosecond);
-BENCHMARK_CAPTURE(regressor, ols, Ols())->Unit(benchmark::kMicrosecond);
-BENCHMARK_CAPTURE(regressor, irls, Irls())->Unit(benchmark::kMicrosecond);
-BENCHMARK_CAPTURE(regressor, stlsq, Stlsq())->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(filter, none, no_filter())->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(filter, abm, abm())->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(filter, svd, svd_filter())->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(regressor, ols, ols())->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(regressor, irls, irls())->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(regressor, stlsq, stlsq())->Unit(benchmark::kMicrosecond);
 BENCHMARK(irls_l1<CoordinateDescent>)->Unit(benchmark::kMicrosecond);
 BENCHMARK(irls_l1<CeresL1>)->Unit(benchmark::kMicrosecond);
 BENCHMARK(irls_l1<NloptL1>)->Unit(benchmark::kMicrosecond);
-BENCHMARK_CAPTURE(pruner, keep_all, KeepAll())->Unit(benchmark::kMicrosecond);
-BENCHMARK_CAPTURE(pruner, minor_terms, MinorTerms())->Unit(benchmark::kMicrosecond);
-BENCHMARK_CAPTURE(pruner, sequential_thresholding, SequentialThresholding())
+BENCHMARK_CAPTURE(pruner, keep_all, keep_all())->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(pruner, minor_terms, minor_terms())->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(pruner, sequential_thresholding, sequential_thresholding())
     ->Unit(benchmark::kMicrosecond);
-BENCHMARK_CAPTURE(pruner, information_criterion, InformationCriterion())
+BENCHMARK_CAPTURE(pruner, information_criterion, information_criterion())
     ->Unit(benchmark::kMicrosecond);
-BENCHMARK_CAPTURE(pruner_with_irls, minor_terms, MinorTerms())->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(pruner_with_irls, minor_terms, minor_terms())->Unit(benchmark::kMicrosecond);
 
 }  // namespace
 }  // namespace lacuna

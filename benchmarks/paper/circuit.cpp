@@ -6,7 +6,7 @@
 #include "core/base/text.hpp"
 #include "dynamics/attractor/extents.hpp"
 #include "dynamics/test_systems/rossler_circuit.hpp"
-#include "lacuna/dynamics/integration/runge_kutta.hpp"
+#include "lacuna/dynamics/integrators.hpp"
 #include "lacuna/dynamics/test_systems/measurement.hpp"
 #include "parts.hpp"
 #include "spice.hpp"
@@ -38,7 +38,7 @@ constexpr Part kParts[] = {
 };
 
 Dataset orbit_of(const RosslerComponents& parts) {
-  return record_of(rossler_circuit(parts), Dopri8{}, Vector::Constant(3, 0.1), kStep, kSamples);
+  return record_of(rossler_circuit(parts), dopri8(), Vector::Constant(3, 0.1), kStep, kSamples);
 }
 
 /// dx, dy, dz, volume.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <cmath>
 
-#include "lacuna/dynamics/integration/runge_kutta.hpp"
+#include "lacuna/dynamics/integrators.hpp"
 #include "lacuna/dynamics/test_systems/measurement.hpp"
 #include "lacuna/dynamics/test_systems/test_systems.hpp"
 #include "parts.hpp"
@@ -12,7 +12,7 @@ namespace {
 /// Master and slave are Rossler's equations by the same method; 200 time units.
 SyncResult twins(int order, double h, double length) {
   const TestSystem& rossler = test_system("rossler");
-  const RungeKutta method({.order = order});
+  const Stage<Integrator> method = runge_kutta({.order = order});
   const Dataset master = record_of(rossler.model, method, Vector::Constant(3, 0.1), h,
                                    std::lround(length / h) + 1);
   return paper_sync(rossler.model, master, method);

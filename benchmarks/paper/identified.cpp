@@ -9,8 +9,8 @@
 #include "dynamics/attractor/power_spectrum.hpp"
 #include "dynamics/attractor/prediction_time.hpp"
 #include "dynamics/attractor/rosenstein.hpp"
-#include "lacuna/dynamics/integration/runge_kutta.hpp"
 #include "lacuna/dynamics/integration/simulate.hpp"
+#include "lacuna/dynamics/integrators.hpp"
 #include "lacuna/identify/pipeline/presets.hpp"
 #include "parts.hpp"
 
@@ -94,7 +94,7 @@ void write_support_table(Output& output, const std::vector<Identified>& identifi
 /// A free run of the model from the record's start; nothing when it leaves the attractor.
 std::optional<Trajectory> free_run(const OdeModel& model, const Trajectory& record) {
   const Solution orbit =
-      simulate(model, Dopri8{}, record.states.row(0).transpose(), record.time);
+      simulate(model, dopri8(), record.states.row(0).transpose(), record.time);
   if (orbit.status != IntegrationStatus::Completed) return {};
   Trajectory run;
   run.source = "free run";
@@ -114,8 +114,8 @@ std::vector<std::string> measures_of(const Identified& entry, const char* name,
     return row;
   }
   const LyapunovSpectrum spectrum = lyapunov_spectrum(
-      model, Rk4{}, run->states.bottomRows(1).transpose(), {0.1, 0.0, 3000.0});
-  const PredictionTime time = valid_prediction_time(model, entry.source->record, Dopri8{});
+      model, rk4(), run->states.bottomRows(1).transpose(), {0.1, 0.0, 3000.0});
+  const PredictionTime time = valid_prediction_time(model, entry.source->record, dopri8());
   row.insert(row.end(),
              {cell(spectrum.exponents[0]), cell(spectrum.dimension),
               cell(power_spectrum_distance(record, *run)),

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "sources.hpp"
 
-#include "lacuna/dynamics/integration/runge_kutta.hpp"
+#include "lacuna/dynamics/integrators.hpp"
 #include "lacuna/dynamics/test_systems/measurement.hpp"
 #include "lacuna/dynamics/test_systems/test_systems.hpp"
 #include "spice.hpp"
@@ -15,7 +15,7 @@ Vector start() { return Vector::Constant(3, 0.1); }
 
 Source from_equations(const PrintedSystem& printed, const std::string& stem,
                       const std::string& origin, OdeModel model) {
-  Dataset record = record_of(model, Dopri8({.substeps = 4}), start(), kStep, kSamples);
+  Dataset record = record_of(model, dopri8({.substeps = 4}), start(), kStep, kSamples);
   record.trajectories[0].source = printed.name;
   record.trajectories[0].derivatives.resize(0, 0);
   return {printed.name,     stem,    origin, std::move(record), printed.unit,
@@ -94,7 +94,7 @@ SyncResult paper_sync(const OdeModel& model, const Dataset& record,
 }
 
 SyncResult paper_sync(const OdeModel& model, const Dataset& record) {
-  return paper_sync(model, record, Rk4{});
+  return paper_sync(model, record, rk4());
 }
 
 }  // namespace lacuna::benchmarks

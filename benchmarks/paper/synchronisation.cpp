@@ -2,8 +2,8 @@
 // Tables 4 and 5, Figs. 5 and 6: how far models stay from the records that drive them.
 #include <limits>
 
-#include "lacuna/dynamics/integration/runge_kutta.hpp"
 #include "lacuna/dynamics/integration/simulate.hpp"
+#include "lacuna/dynamics/integrators.hpp"
 #include "lacuna/dynamics/test_systems/test_systems.hpp"
 #include "parts.hpp"
 
@@ -46,13 +46,13 @@ std::vector<std::string> default_row(const Identified& entry) {
   const SyncResult raw = paper_sync(entry.paper_mode, record);
   const SyncResult own = paper_sync(entry.standard, record);
   std::vector<std::string> row{entry.source->name, percent_cell(raw), percent_cell(own)};
-  const std::string eighth = percent_cell(paper_sync(entry.standard, record, Dopri8{}));
+  const std::string eighth = percent_cell(paper_sync(entry.standard, record, dopri8()));
   if (!entry.source->truth) {
     row.insert(row.end(), {"", "", "", eighth, ""});
     return row;
   }
   const SyncResult truth = paper_sync(*entry.source->truth, record);
-  const SyncResult truth8 = paper_sync(*entry.source->truth, record, Dopri8{});
+  const SyncResult truth8 = paper_sync(*entry.source->truth, record, dopri8());
   row.insert(row.end(),
              {percent_cell(truth), ratio_cell(raw.relative, truth.relative),
               ratio_cell(own.relative, truth.relative), eighth, percent_cell(truth8)});
@@ -96,7 +96,7 @@ void write_noise_table(Output& output, const Identified& entry) {
 }
 
 Matrix free_orbit(const OdeModel& model, const Trajectory& record) {
-  return simulate(model, Rk4{}, record.states.row(0).transpose(), record.time).states;
+  return simulate(model, rk4(), record.states.row(0).transpose(), record.time).states;
 }
 
 }  // namespace

@@ -8,7 +8,7 @@
 
 #include "core/base/random.hpp"
 #include "core/base/text.hpp"
-#include "lacuna/dynamics/integration/runge_kutta.hpp"
+#include "lacuna/dynamics/integrators.hpp"
 #include "lacuna/dynamics/test_systems/measurement.hpp"
 #include "lacuna/dynamics/test_systems/test_systems.hpp"
 #include "trajectories/shooting/cramer_rao.hpp"
@@ -21,8 +21,8 @@ constexpr double kStartError = 0.1;
 
 Dataset clean_record(const RefinementCondition& condition) {
   const TestSystem& system = test_system(condition.system);
-  return record_of(system.model, Dopri8{Dopri8Options{.substeps = 4}}, system.start,
-                   system.step, condition.samples);
+  return record_of(system.model, dopri8({.substeps = 4}), system.start, system.step,
+                   condition.samples);
 }
 
 Vector noise_sigma(const Dataset& clean, double share) {

@@ -8,9 +8,7 @@
 #include "core/base/utf8.hpp"
 #include "figures.hpp"
 #include "lacuna/data/formats/write.hpp"
-#include "lacuna/report/pages/diagnosis_report.hpp"
-#include "lacuna/report/pages/fit_report.hpp"
-#include "lacuna/report/pages/rivals_report.hpp"
+#include "lacuna/report/reports.hpp"
 #include "own_stages.hpp"
 #include "report/pages/folded_text.hpp"
 

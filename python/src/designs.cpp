@@ -5,7 +5,7 @@
 #include "answer.hpp"
 #include "bindings.hpp"
 #include "cli/commands/plan_request.hpp"
-#include "lacuna/report/pages/bench_report.hpp"
+#include "lacuna/report/reports.hpp"
 #include "report/plans/plan_parts.hpp"
 
 namespace lacuna::python {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/solvers/l1/l1_ceres.hpp"
+#include "solvers/l1/l1_ceres.hpp"
 
 #include <ceres/ceres.h>
 
@@ -141,5 +141,7 @@ L1Solution CeresL1::do_solve(const L1Problem& problem, const RunContext& context
   solution.coefficients *= norm;
   return solution;
 }
+
+Stage<L1Solver> ceres_l1(const CeresL1Options& options) { return CeresL1(options); }
 
 }  // namespace lacuna

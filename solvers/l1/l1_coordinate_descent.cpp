@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/solvers/l1/l1_coordinate_descent.hpp"
+#include "solvers/l1/l1_coordinate_descent.hpp"
 
 #include "core/numerics/coordinate_sweep.hpp"
 #include "solvers/l1/l1_optimality.hpp"
@@ -20,6 +20,10 @@ L1Solution CoordinateDescent::do_solve(const L1Problem& problem,
     if (solution.converged) return solution;
   }
   return l1_finished(problem, z, options().max_sweeps, options().tolerance);
+}
+
+Stage<L1Solver> coordinate_descent(const CoordinateDescentOptions& options) {
+  return CoordinateDescent(options);
 }
 
 }  // namespace lacuna

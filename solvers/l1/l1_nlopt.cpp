@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/solvers/l1/l1_nlopt.hpp"
+#include "solvers/l1/l1_nlopt.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -106,5 +106,7 @@ L1Solution NloptL1::do_solve(const L1Problem& problem, const RunContext& context
   solution.coefficients *= norm;
   return solution;
 }
+
+Stage<L1Solver> nlopt_l1(const NloptL1Options& options) { return NloptL1(options); }
 
 }  // namespace lacuna

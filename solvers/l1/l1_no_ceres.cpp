@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/solvers/l1/l1_ceres.hpp"
+#include "solvers/l1/l1_ceres.hpp"
 
 namespace lacuna {
 

@@ -14,11 +14,11 @@ int main() {
       oscillator.with_term(1, {Term::parse("sign(v)", oscillator.variables()), -0.3});
   const Vector start{{1.5, 0.0}};
 
-  const Dataset swings = record_of(oscillator, Rk4{}, start, 0.02, 1000);
+  const Dataset swings = record_of(oscillator, rk4(), start, 0.02, 1000);
   const Identification found = identify_records(swings);
   std::cout << to_text(found.result.model, 3) << '\n';
 
-  const Dataset rubs = add_relative_noise(record_of(bench, Rk4{}, start, 0.02, 1000), 0.005, 1);
+  const Dataset rubs = add_relative_noise(record_of(bench, rk4(), start, 0.02, 1000), 0.005, 1);
   std::cout << format_text(diagnose(oscillator, rubs)) << '\n';
   return library_version() == kVersion ? 0 : 1;
 }

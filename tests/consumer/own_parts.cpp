@@ -18,13 +18,13 @@ int main() {
   };
   const Vector start{{1.5, 0.0}};
 
-  const Dataset rubs = record_of(with("v*abs(v)", -0.3), Rk4{}, start, 0.01, 2000);
-  const Pipeline own{SumOfBases{{Monomials{{.max_degree = 1}}, page::Friction{}}},
-                     StrongForm{{FiniteDifferences{}}},
-                     Abm{},
+  const Dataset rubs = record_of(with("v*abs(v)", -0.3), rk4(), start, 0.01, 2000);
+  const Pipeline own{sum_of_bases({monomials({.max_degree = 1}), page::Friction{}}),
+                     strong_form({finite_differences()}),
+                     abm(),
                      page::Ridge{{.alpha = 1e-12}},
-                     SequentialThresholding{},
-                     NoRefiner{}};
+                     sequential_thresholding(),
+                     no_refiner()};
   std::cout << to_text(identify(rubs, own).model, 2) << '\n';
 
   Registry registry = default_registry();
@@ -33,7 +33,7 @@ int main() {
   DiagnosisOptions options;
   options.effects = {page::OneSidedSpringEffect{}};
   const Dataset beyond = add_relative_noise(
-      record_of(with("max(x-0.6,0)", -9.0), Rk4{}, start, 0.01, 2000), 1e-3, 1);
+      record_of(with("max(x-0.6,0)", -9.0), rk4(), start, 0.01, 2000), 1e-3, 1);
   std::cout << format_text(diagnose(free, beyond, {}, options)) << '\n';
   return 0;
 }

@@ -10,9 +10,9 @@
 #include "core/statistics/significance.hpp"
 #include "diagnose/candidates/candidate_column.hpp"
 #include "diagnose/candidates/screening.hpp"
+#include "dynamics/integration/runge_kutta.hpp"
 #include "lacuna/diagnose/candidates/explanation.hpp"
 #include "lacuna/dynamics/integration/record_input.hpp"
-#include "lacuna/dynamics/integration/runge_kutta.hpp"
 #include "lacuna/dynamics/integration/simulate.hpp"
 #include "support/assimilated_oscillator.hpp"
 

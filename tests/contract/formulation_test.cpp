@@ -4,8 +4,8 @@
 
 #include <set>
 
+#include "bases/monomials.hpp"
 #include "contract/contract.hpp"
-#include "lacuna/bases/monomials.hpp"
 #include "lacuna/data/derivatives/differentiator.hpp"
 #include "lacuna/regression/linear/subproblem.hpp"
 #include "lacuna/regression/stages/basis.hpp"

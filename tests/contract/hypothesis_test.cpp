@@ -2,7 +2,7 @@
 #include "lacuna/diagnose/hypotheses/hypothesis.hpp"
 
 #include "contract/contract.hpp"
-#include "lacuna/effects/families.hpp"
+#include "effects/families.hpp"
 #include "support/assimilated_oscillator.hpp"
 
 namespace lacuna::contract {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 
+#include "bases/monomials.hpp"
 #include "contract/contract.hpp"
-#include "lacuna/bases/monomials.hpp"
 #include "lacuna/regression/stages/l1_solver.hpp"
 #include "lacuna/regression/stages/refiner.hpp"
 #include "lacuna/regression/stages/term_filter.hpp"
 #include "lacuna/regression/stages/term_pruner.hpp"
-#include "lacuna/solvers/ols.hpp"
+#include "solvers/ols.hpp"
 #include "support/one_record.hpp"
 
 namespace lacuna::contract {

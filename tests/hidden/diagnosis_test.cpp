@@ -11,7 +11,7 @@
 #include "hidden/support/records.hpp"
 #include "hidden/support/score.hpp"
 #include "lacuna/cli/configuration/registry.hpp"
-#include "lacuna/diagnose/journey/diagnose.hpp"
+#include "lacuna/diagnose/diagnose.hpp"
 
 namespace lacuna::hidden {
 namespace {

@@ -15,7 +15,7 @@
 #include "hidden/support/score.hpp"
 #include "hidden/support/twins.hpp"
 #include "hidden/whole_vocabulary.hpp"
-#include "lacuna/diagnose/journey/diagnose.hpp"
+#include "lacuna/diagnose/diagnose.hpp"
 
 namespace lacuna::hidden {
 namespace {

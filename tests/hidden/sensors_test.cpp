@@ -8,13 +8,13 @@
 #include <set>
 #include <string>
 
+#include "data/derivatives/finite_differences.hpp"
 #include "hidden/support/case_builder.hpp"
 #include "hidden/support/cases.hpp"
 #include "hidden/support/records.hpp"
 #include "hidden/support/score.hpp"
 #include "hidden/support/sensor_benches.hpp"
 #include "hidden/whole_vocabulary.hpp"
-#include "lacuna/data/derivatives/finite_differences.hpp"
 #include "lacuna/records/binding/model_view.hpp"
 
 namespace lacuna::hidden {

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "data/derivatives/finite_differences.hpp"
 #include "hidden/support/cases.hpp"
 #include "hidden/support/null_benches.hpp"
 #include "hidden/support/records.hpp"
@@ -13,7 +14,6 @@
 #include "hidden/support/spikes.hpp"
 #include "hidden/support/twins.hpp"
 #include "hidden/whole_vocabulary.hpp"
-#include "lacuna/data/derivatives/finite_differences.hpp"
 #include "lacuna/model/files/ode_text.hpp"
 #include "lacuna/records/binding/model_view.hpp"
 

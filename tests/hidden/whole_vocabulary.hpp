@@ -2,7 +2,7 @@
 #pragma once
 
 #include "lacuna/cli/configuration/registry.hpp"
-#include "lacuna/diagnose/journey/diagnose.hpp"
+#include "lacuna/diagnose/diagnose.hpp"
 
 namespace lacuna::hidden {
 

@@ -8,11 +8,11 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "data/derivatives/finite_differences.hpp"
+#include "dynamics/integration/runge_kutta.hpp"
 #include "integration/program.hpp"
-#include "lacuna/data/derivatives/finite_differences.hpp"
 #include "lacuna/data/formats/read.hpp"
 #include "lacuna/dynamics/integration/record_input.hpp"
-#include "lacuna/dynamics/integration/runge_kutta.hpp"
 #include "lacuna/dynamics/integration/simulate.hpp"
 #include "lacuna/identify/pipeline/presets.hpp"
 #include "lacuna/model/files/model_file.hpp"

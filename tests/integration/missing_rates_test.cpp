@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "core/base/random.hpp"
-#include "lacuna/data/derivatives/finite_differences.hpp"
-#include "lacuna/diagnose/journey/diagnose.hpp"
+#include "data/derivatives/finite_differences.hpp"
+#include "lacuna/diagnose/diagnose.hpp"
 #include "lacuna/model/files/ode_text.hpp"
 #include "lacuna/records/binding/model_view.hpp"
 

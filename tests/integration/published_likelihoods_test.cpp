@@ -14,8 +14,8 @@
 #include <utility>
 #include <vector>
 
+#include "data/derivatives/finite_differences.hpp"
 #include "integration/program.hpp"
-#include "lacuna/data/derivatives/finite_differences.hpp"
 #include "lacuna/model/files/ode_text.hpp"
 #include "lacuna/records/binding/read_records.hpp"
 #include "lacuna/trajectories/fit/fit.hpp"

@@ -6,11 +6,11 @@
 #include <string>
 
 #include "core/base/random.hpp"
-#include "lacuna/data/derivatives/finite_differences.hpp"
-#include "lacuna/dynamics/integration/butcher_tableau.hpp"
-#include "lacuna/dynamics/integration/cvode.hpp"
+#include "data/derivatives/finite_differences.hpp"
+#include "dynamics/integration/butcher_tableau.hpp"
+#include "dynamics/integration/cvode.hpp"
+#include "dynamics/integration/runge_kutta.hpp"
 #include "lacuna/dynamics/integration/record_input.hpp"
-#include "lacuna/dynamics/integration/runge_kutta.hpp"
 #include "lacuna/dynamics/integration/simulate.hpp"
 #include "lacuna/model/files/ode_text.hpp"
 #include "lacuna/records/binding/model_view.hpp"

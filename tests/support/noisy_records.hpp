@@ -8,9 +8,9 @@
 #include <utility>
 #include <vector>
 
+#include "bases/monomials.hpp"
 #include "core/base/random.hpp"
-#include "lacuna/bases/monomials.hpp"
-#include "lacuna/dynamics/integration/runge_kutta.hpp"
+#include "dynamics/integration/runge_kutta.hpp"
 #include "lacuna/dynamics/integration/simulate.hpp"
 #include "lacuna/dynamics/test_systems/test_systems.hpp"
 #include "support/one_record.hpp"

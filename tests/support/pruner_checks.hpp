@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "lacuna/regression/stages/term_pruner.hpp"
-#include "lacuna/solvers/ols.hpp"
+#include "solvers/ols.hpp"
 #include "support/stage_invariance.hpp"
 
 namespace lacuna::testing {

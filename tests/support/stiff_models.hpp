@@ -7,7 +7,7 @@
 
 #include "core/base/random.hpp"
 #include "core/base/text.hpp"
-#include "lacuna/dynamics/integration/cvode.hpp"
+#include "dynamics/integration/cvode.hpp"
 #include "lacuna/dynamics/integration/record_input.hpp"
 #include "lacuna/dynamics/integration/simulate.hpp"
 #include "lacuna/model/files/ode_text.hpp"

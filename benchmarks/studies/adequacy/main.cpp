@@ -47,7 +47,7 @@ Draw draw_of(const StructurePair& pair, std::uint64_t number) {
   const auto fitted = [&](const SystemModel& system) {
     RunContext context;
     context.seed = number;
-    const Dataset view = model_view(system.model(), columns, FiniteDifferences{});
+    const Dataset view = model_view(system.model(), columns, finite_differences());
     return fit(system, view, {}, {}, context);
   };
   const Fit a = fitted(right), b = fitted(wrong);

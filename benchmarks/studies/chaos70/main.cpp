@@ -7,7 +7,7 @@
 #include <span>
 
 #include "core/base/text.hpp"
-#include "lacuna/bases/monomials.hpp"
+#include "lacuna/bases/bases.hpp"
 #include "lacuna/identify/pipeline/presets.hpp"
 #include "support/parallel.hpp"
 #include "support/settings.hpp"
@@ -100,7 +100,7 @@ int run_study(const benchmarks::StudyArguments& arguments) {
   if (levels.empty()) levels = {0.0, 0.1, 1.0, 5.0};
   const std::vector<System> systems = read_systems(arguments.at(0));
   Pipeline pipeline = lacuna::preset(preset);
-  pipeline.basis = Monomials{{.max_degree = 4}};
+  pipeline.basis = monomials({.max_degree = 4});
   benchmarks::Cells<Outcome> cells;
   for (const double level : levels) {
     cells.begin_group(format_number(level) + " %");

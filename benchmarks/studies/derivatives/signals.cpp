@@ -5,8 +5,8 @@
 #include <numbers>
 #include <utility>
 
-#include "lacuna/dynamics/integration/runge_kutta.hpp"
 #include "lacuna/dynamics/integration/simulate.hpp"
+#include "lacuna/dynamics/integrators.hpp"
 #include "lacuna/dynamics/test_systems/test_systems.hpp"
 
 namespace lacuna::benchmarks {
@@ -29,7 +29,7 @@ Signal formula(const std::string& name, double length, Point (*at)(double)) {
 Signal orbit(const std::string& name, double length) {
   return {name, length, [name](const Vector& time) {
             const TestSystem& system = test_system(name);
-            const Solution solution = simulate(system.model, Dopri87{}, system.start, time);
+            const Solution solution = simulate(system.model, dopri87(), system.start, time);
             CompiledModel model = system.model.compile();
             Matrix values(time.size(), 2);
             for (Index i = 0; i < time.size(); ++i) {

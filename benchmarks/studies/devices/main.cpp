@@ -9,8 +9,8 @@
 #include "cli/configuration/diagnosis_configuration.hpp"
 #include "core/base/text.hpp"
 #include "lacuna/core/base/error.hpp"
-#include "lacuna/data/derivatives/finite_differences.hpp"
-#include "lacuna/diagnose/journey/diagnose.hpp"
+#include "lacuna/data/differentiators.hpp"
+#include "lacuna/diagnose/diagnose.hpp"
 #include "lacuna/model/files/model_file.hpp"
 #include "lacuna/records/binding/read_records.hpp"
 #include "support/settings.hpp"
@@ -69,9 +69,9 @@ Told told_of(const std::filesystem::path& folder, const Device& device) {
   try {
     const OdeModel model = read_model((folder / device.model).string());
     const auto read = [&](const std::string& path) {
-      return path.empty() ? Dataset{}
-                          : read_records(model, {(folder / path).string()}, {},
-                                         FiniteDifferences{});
+      return path.empty()
+                 ? Dataset{}
+                 : read_records(model, {(folder / path).string()}, {}, finite_differences());
     };
     const Diagnosis found =
         diagnose(model, read(device.find), read(device.check),

@@ -9,7 +9,7 @@
 #include "core/base/random.hpp"
 #include "core/base/text.hpp"
 #include "lacuna/core/statistics/interval.hpp"
-#include "lacuna/data/derivatives/finite_differences.hpp"
+#include "lacuna/data/differentiators.hpp"
 #include "lacuna/model/files/ode_text.hpp"
 #include "lacuna/records/binding/model_view.hpp"
 #include "lacuna/trajectories/fit/rivals.hpp"
@@ -160,7 +160,7 @@ double margin_of(const std::vector<double>& log_evidences, std::size_t right) {
 std::vector<double> fit_old(const Dataset& columns, PlanProblem& problem) {
   std::vector<NamedFit> fits;
   for (PlanModel& model : problem.models) {
-    const Dataset view = model_view(model.system.model(), columns, FiniteDifferences{});
+    const Dataset view = model_view(model.system.model(), columns, finite_differences());
     fits.push_back({model.name, fit(model.system, view, {})});
     model.system = fits.back().fit.model;
     model.information = information_of(fits.back().fit, view);

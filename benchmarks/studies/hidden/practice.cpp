@@ -8,7 +8,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
-#include "lacuna/data/derivatives/finite_differences.hpp"
+#include "lacuna/data/differentiators.hpp"
 #include "lacuna/model/files/model_file.hpp"
 #include "lacuna/records/binding/read_records.hpp"
 
@@ -96,7 +96,7 @@ hidden::Records records_of(const fs::path& folder, const std::string& ending,
                            const OdeModel& model) {
   const auto read = [&](const std::string& number) {
     const fs::path path = folder / (number + "_" + ending + ".csv.gz");
-    return read_records(model, {path.string()}, {}, FiniteDifferences{});
+    return read_records(model, {path.string()}, {}, finite_differences());
   };
   return {read("r1"), read("r2")};
 }

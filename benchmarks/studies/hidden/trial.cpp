@@ -9,7 +9,7 @@
 
 #include "core/base/text.hpp"
 #include "hidden/support/reality.hpp"
-#include "lacuna/diagnose/journey/diagnose.hpp"
+#include "lacuna/diagnose/diagnose.hpp"
 #include "support/parallel.hpp"
 
 namespace lacuna::benchmarks {

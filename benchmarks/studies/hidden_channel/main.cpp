@@ -12,9 +12,9 @@
 #include "core/base/text.hpp"
 #include "identify/hidden_state/identify_hidden.hpp"
 #include "lacuna/core/base/error.hpp"
-#include "lacuna/data/derivatives/finite_differences.hpp"
-#include "lacuna/dynamics/integration/runge_kutta.hpp"
+#include "lacuna/data/differentiators.hpp"
 #include "lacuna/dynamics/integration/simulate.hpp"
+#include "lacuna/dynamics/integrators.hpp"
 #include "lacuna/dynamics/test_systems/test_systems.hpp"
 #include "lacuna/identify/pipeline/presets.hpp"
 #include "support/parallel.hpp"
@@ -52,7 +52,7 @@ Dataset record_of(const Case& one, std::uint64_t seed) {
   for (double& value : start) value += 0.5 * random.normal();
   const Vector time =
       Vector::LinSpaced(kBefore + kSamples, 0.0, one.step * (kBefore + kSamples - 1));
-  const Solution orbit = simulate(system.model, Dopri8{}, start, time);
+  const Solution orbit = simulate(system.model, dopri8(), start, time);
   Dataset data;
   Trajectory& record = data.trajectories.emplace_back();
   record.time = time.tail(kSamples).array() - time[kBefore];
@@ -83,7 +83,7 @@ Outcome run(const Case& one, std::uint64_t seed) {
   const double begin = thread_seconds();
   try {
     const IdentificationResult result =
-        identify_hidden(record_of(one, seed), algorithm1(), FiniteDifferences{}, "h").result;
+        identify_hidden(record_of(one, seed), algorithm1(), finite_differences(), "h").result;
     outcome.exact = true;
     for (std::size_t k = 0; k < one.terms.size(); ++k) {
       std::set<std::string> terms;

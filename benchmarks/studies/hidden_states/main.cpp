@@ -16,9 +16,9 @@
 #include "core/base/text.hpp"
 #include "core/files/atomic_file.hpp"
 #include "lacuna/cli/configuration/registry.hpp"
-#include "lacuna/data/derivatives/finite_differences.hpp"
+#include "lacuna/data/differentiators.hpp"
 #include "lacuna/data/formats/write.hpp"
-#include "lacuna/diagnose/journey/diagnose.hpp"
+#include "lacuna/diagnose/diagnose.hpp"
 #include "lacuna/model/files/model_file.hpp"
 #include "lacuna/records/binding/model_view.hpp"
 #include "support/parallel.hpp"
@@ -77,7 +77,7 @@ Outcome run_trial(const Trial& trial, const DiagnosisOptions& options) {
   try {
     const OdeModel nominal = nominal_of(trial.system);
     const Records records = make_records(trial.system, 0.01 * trial.percent, 5);
-    const FiniteDifferences differentiator;
+    const Stage<Differentiator> differentiator = finite_differences();
     outcome = outcome_of(
         trial.system,
         diagnose(nominal, model_view(nominal, records.find, differentiator),

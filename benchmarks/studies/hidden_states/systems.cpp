@@ -8,8 +8,8 @@
 
 #include "core/base/random.hpp"
 #include "lacuna/core/numerics/sampled_signal.hpp"
-#include "lacuna/dynamics/integration/runge_kutta.hpp"
 #include "lacuna/dynamics/integration/simulate.hpp"
+#include "lacuna/dynamics/integrators.hpp"
 #include "lacuna/model/files/ode_text.hpp"
 
 namespace lacuna::hidden_states {
@@ -51,7 +51,7 @@ Matrix simulated(const OdeModel& truth, const System& system, const Matrix& u,
   };
   Rk4Options fine;
   fine.substeps = 20;
-  const Solution solution = simulate(DrivenModel{truth, input}, Rk4(fine), start, time);
+  const Solution solution = simulate(DrivenModel{truth, input}, rk4(fine), start, time);
   return solution.states;
 }
 

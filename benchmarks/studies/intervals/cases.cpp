@@ -8,9 +8,8 @@
 
 #include "core/base/random.hpp"
 #include "core/base/text.hpp"
-#include "lacuna/dynamics/integration/butcher_tableau.hpp"
-#include "lacuna/dynamics/integration/runge_kutta.hpp"
 #include "lacuna/dynamics/integration/simulate.hpp"
+#include "lacuna/dynamics/integrators.hpp"
 #include "lacuna/model/files/ode_text.hpp"
 #include "model/equations/output_values.hpp"
 
@@ -91,7 +90,7 @@ Matrix outputs_of(const SystemModel& system, const IntervalCase& one, const Vect
   fine[fine.size() - 1] = time[n - 1];
   const Vector start =
       Eigen::Map<const Vector>(one.start.data(), static_cast<Index>(one.start.size()));
-  const Solution orbit = simulate(system.model(), Rk4{}, start, fine);
+  const Solution orbit = simulate(system.model(), rk4(), start, fine);
   Matrix states(n, start.size());
   for (Index i = 0; i < n; ++i) states.row(i) = orbit.states.row(i * kSteps);
   return output_values(system.model(), time, states, Matrix(n, 0));

@@ -8,7 +8,7 @@
 #include "cases.hpp"
 #include "core/base/text.hpp"
 #include "lacuna/core/base/error.hpp"
-#include "lacuna/data/derivatives/finite_differences.hpp"
+#include "lacuna/data/differentiators.hpp"
 #include "lacuna/data/records/marks.hpp"
 #include "lacuna/model/files/ode_text.hpp"
 #include "lacuna/records/binding/model_view.hpp"
@@ -57,8 +57,9 @@ Draw draw_of(const IntervalCase& one, MeasuredBy noise, std::uint64_t number) {
   draw.numbers = static_cast<int>(drawn.truth.size());
   const double begin = thread_seconds();
   try {
-    const Fit found = fit(system, model_view(system.model(), drawn.columns, FiniteDifferences{}),
-                          {}, options, context);
+    const Fit found =
+        fit(system, model_view(system.model(), drawn.columns, finite_differences()), {},
+            options, context);
     draw.converged = found.converged;
     if (found.numbers.size() != drawn.truth.size())
       throw ArgumentError("study_intervals", "a number without a truth was fitted", "");

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "core/base/text.hpp"
-#include "lacuna/dynamics/integration/runge_kutta.hpp"
+#include "lacuna/dynamics/integrators.hpp"
 #include "lacuna/dynamics/test_systems/measurement.hpp"
 #include "lacuna/model/files/ode_text.hpp"
 
@@ -123,7 +123,7 @@ std::vector<SmallRecord> small_records() {
     const OdeModel model = parse_ode(system.text, system.name);
     const Eigen::Map<const Vector> start(system.start.data(),
                                          static_cast<Index>(system.start.size()));
-    Dataset clean = record_of(model, Dopri5{}, start, system.step, kSamples);
+    Dataset clean = record_of(model, dopri5(), start, system.step, kSamples);
     for (Trajectory& run : clean.trajectories) run.derivatives.resize(0, 0);
     records.push_back({system.name + ", noise 0", model, system.degree, clean});
     std::uint64_t seed = 0;

@@ -12,8 +12,8 @@
 
 #include "core/base/random.hpp"
 #include "core/base/text.hpp"
-#include "lacuna/bases/monomials.hpp"
-#include "lacuna/dynamics/integration/runge_kutta.hpp"
+#include "lacuna/bases/bases.hpp"
+#include "lacuna/dynamics/integrators.hpp"
 #include "lacuna/dynamics/test_systems/measurement.hpp"
 #include "lacuna/dynamics/test_systems/test_systems.hpp"
 #include "lacuna/identify/pipeline/presets.hpp"
@@ -66,7 +66,7 @@ Dataset draw_record(const Condition& condition, std::uint64_t seed) {
   const TestSystem& system = test_system(condition.system);
   Random random(seed);
   const auto skipped = static_cast<Index>(random.below(4000));
-  Dataset record = record_of(system.model, Dopri87{}, system.start, condition.step,
+  Dataset record = record_of(system.model, dopri87(), system.start, condition.step,
                              skipped + condition.samples);
   Trajectory& orbit = record.trajectories.front();
   orbit = {orbit.source, Vector(orbit.time.head(condition.samples)),
@@ -82,7 +82,7 @@ Dataset draw_record(const Condition& condition, std::uint64_t seed) {
 Outcome run_draw(const Condition& condition, std::uint64_t seed, const std::string& name) {
   const Dataset record = draw_record(condition, seed);
   Pipeline pipeline = preset(name);
-  pipeline.basis = Monomials{{.max_degree = condition.degree}};
+  pipeline.basis = monomials({.max_degree = condition.degree});
   const auto start = std::chrono::steady_clock::now();
   const IdentificationResult result = identify(record, pipeline);
   const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;

@@ -9,12 +9,12 @@
 
 #include "core/base/text.hpp"
 #include "lacuna/cli/configuration/registry.hpp"
-#include "lacuna/data/derivatives/finite_differences.hpp"
+#include "lacuna/data/differentiators.hpp"
 #include "lacuna/data/formats/read.hpp"
-#include "lacuna/diagnose/journey/diagnose.hpp"
+#include "lacuna/diagnose/diagnose.hpp"
 #include "lacuna/dynamics/integration/record_input.hpp"
-#include "lacuna/dynamics/integration/runge_kutta.hpp"
 #include "lacuna/dynamics/integration/simulate.hpp"
+#include "lacuna/dynamics/integrators.hpp"
 #include "lacuna/model/files/model_file.hpp"
 #include "lacuna/records/binding/read_records.hpp"
 #include "support/table.hpp"
@@ -192,7 +192,7 @@ std::string simulation_error(const OdeModel& model, const Dataset& record) {
   const Trajectory& run = record.trajectories[0];
   RecordInput input(run);
   const Solution orbit =
-      simulate(DrivenModel{model, input}, Dopri8{}, start.states.row(0), run.time);
+      simulate(DrivenModel{model, input}, dopri8(), start.states.row(0), run.time);
   if (orbit.status != IntegrationStatus::Completed) return "diverged";
   const Vector error = (orbit.states.col(0) - run.states.col(0)).tail(run.samples() - kStart);
   return format_number(1e3 * error.norm() / std::sqrt(static_cast<double>(error.size())), 3);
@@ -206,7 +206,7 @@ Dataset oscillator_record(const std::filesystem::path& folder) {
 std::string diagnosed_positioning(const std::filesystem::path& folder) {
   const OdeModel nominal = read_model((folder / "emps/nominal.json").string());
   const auto read = [&](const std::string& name) {
-    return read_records(nominal, {(folder / "emps" / name).string()}, {}, FiniteDifferences{});
+    return read_records(nominal, {(folder / "emps" / name).string()}, {}, finite_differences());
   };
   const Dataset find = read("emps_train.csv.gz"), check = read("emps_validation.csv.gz");
   const Timed timed = diagnosed(nominal, find, check);
@@ -230,7 +230,7 @@ std::string diagnosed_oscillator(const std::filesystem::path& folder) {
   const Dataset train = rows(record, 40650, 8692), test = rows(record, 105712, 21688);
   const Dataset arrow = rows(record, 100, 40475), inside = rows(record, 100, 32000);
   const OdeModel nominal = read_model((folder / "silverbox/nominal.json").string());
-  const FiniteDifferences rates;
+  const Stage<Differentiator> rates = finite_differences();
   const Timed timed =
       diagnosed(nominal, model_view(nominal, train, rates), model_view(nominal, test, rates));
   ResultTable table{

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/base/text.hpp"
-#include "lacuna/data/derivatives/finite_differences.hpp"
+#include "lacuna/data/differentiators.hpp"
 #include "lacuna/model/files/model_file.hpp"
 #include "lacuna/records/binding/gaps.hpp"
 #include "lacuna/records/binding/read_records.hpp"
@@ -40,10 +40,10 @@ std::vector<std::string> fitted_row(const std::string& name, const OdeModel& mod
 std::string compared_drives(const std::filesystem::path& folder) {
   const std::filesystem::path drives = folder / "real/ced";
   const OdeModel nominal = read_model((drives / "nominal.json").string());
-  const Dataset records = usable_records(read_records(nominal,
-                                                      {(drives / "train.csv.gz").string()},
-                                                      {}, FiniteDifferences{}))
-                              .data;
+  const Dataset records =
+      usable_records(
+          read_records(nominal, {(drives / "train.csv.gz").string()}, {}, finite_differences()))
+          .data;
   const std::pair<std::string, double> friction{"tanh(m/0.05)", -0.5}, cross{"w*u^2", 0.7};
   ResultTable table{{"added to dm/dt", "numbers", "record 1", "record 2", "both",
                      "log-likelihood"},

@@ -10,7 +10,7 @@
 #include "diagnosed.hpp"
 #include "drives.hpp"
 #include "lacuna/core/base/error.hpp"
-#include "lacuna/data/derivatives/finite_differences.hpp"
+#include "lacuna/data/differentiators.hpp"
 #include "lacuna/data/formats/read.hpp"
 #include "lacuna/identify/pipeline/presets.hpp"
 #include "lacuna/records/binding/embedding.hpp"
@@ -71,7 +71,7 @@ std::string oscillator(const std::filesystem::path& folder) {
   const ParametrisedModel linear =
       second_order("y", "u", {{"u", 1.8e5}, {"v", -50.0}, {"y", -1.8e5}});
   const auto start = std::chrono::steady_clock::now();
-  const Dataset embedded = embed(train, {{"y", 2}}, FiniteDifferences{{.order = 10}});
+  const Dataset embedded = embed(train, {{"y", 2}}, finite_differences({.order = 10}));
   const OdeModel found = identify(embedded, algorithm1()).model;
   const std::string time = seconds_since(start);
   ResultTable table{

@@ -18,8 +18,8 @@
 #include "identify/forms_beside/identify_with_forms.hpp"
 #include "lacuna/cli/configuration/registry.hpp"
 #include "lacuna/core/base/error.hpp"
-#include "lacuna/dynamics/integration/runge_kutta.hpp"
 #include "lacuna/dynamics/integration/simulate.hpp"
+#include "lacuna/dynamics/integrators.hpp"
 #include "lacuna/identify/pipeline/presets.hpp"
 #include "support/parallel.hpp"
 #include "support/settings.hpp"
@@ -64,7 +64,7 @@ Dataset record_of(const System& system, const Condition& condition, std::uint64_
 /// Coefficient of determination of a model's solution from the start of a clean one, states
 /// pooled by variance: 1 - sum |x - x_model|^2 / sum |x - mean|^2.
 double determination(const OdeModel& model, const Vector& time, const Matrix& clean) {
-  const Solution orbit = simulate(model, Dopri8{}, clean.row(0), time);
+  const Solution orbit = simulate(model, dopri8(), clean.row(0), time);
   if (orbit.status != IntegrationStatus::Completed || !orbit.states.allFinite()) return -1.0;
   const double spread = (clean.rowwise() - clean.colwise().mean()).squaredNorm();
   return 1.0 - (clean - orbit.states).squaredNorm() / spread;

@@ -7,8 +7,8 @@
 #include "core/base/text.hpp"
 #include "core/files/file_bytes.hpp"
 #include "lacuna/core/base/error.hpp"
-#include "lacuna/dynamics/integration/runge_kutta.hpp"
 #include "lacuna/dynamics/integration/simulate.hpp"
+#include "lacuna/dynamics/integrators.hpp"
 #include "lacuna/model/files/ode_text.hpp"
 
 namespace lacuna::odebench {
@@ -82,7 +82,7 @@ System solved(const Block& block, std::size_t number) {
                 Vector::LinSpaced(kSamples, 0.0, block.span),
                 {}};
   for (std::size_t s = 0; s < 2; ++s) {
-    const Solution orbit = simulate(model, Dopri87{}, block.starts[s], system.time);
+    const Solution orbit = simulate(model, dopri87(), block.starts[s], system.time);
     if (orbit.status != IntegrationStatus::Completed)
       throw DataError(block.name, "it cannot be solved: " + orbit.message, "change its span");
     system.states[s] = orbit.states;

@@ -11,15 +11,15 @@
 
 #include "core/base/text.hpp"
 #include "core/files/atomic_file.hpp"
-#include "lacuna/bases/monomials.hpp"
+#include "lacuna/bases/bases.hpp"
 #include "lacuna/data/formats/write.hpp"
-#include "lacuna/dynamics/integration/runge_kutta.hpp"
+#include "lacuna/dynamics/integrators.hpp"
 #include "lacuna/dynamics/test_systems/measurement.hpp"
 #include "lacuna/dynamics/test_systems/test_systems.hpp"
 #include "lacuna/identify/pipeline/presets.hpp"
 #include "lacuna/model/equations/compare_models.hpp"
 #include "lacuna/model/files/model_file.hpp"
-#include "lacuna/trajectories/refiners/no_refiner.hpp"
+#include "lacuna/trajectories/refiners.hpp"
 #include "support/table.hpp"
 
 namespace lacuna::benchmarks {
@@ -50,8 +50,8 @@ std::vector<Method> methods() {
   std::vector<Method> all;
   for (const Preset& entry : presets()) all.push_back({entry.name, preset(entry.name)});
   all.push_back({"algorithm1 without refinement", algorithm1()});
-  all.back().pipeline.refiner = NoRefiner{};
-  for (Method& method : all) method.pipeline.basis = Monomials{{.max_degree = kDegree}};
+  all.back().pipeline.refiner = no_refiner();
+  for (Method& method : all) method.pipeline.basis = monomials({.max_degree = kDegree});
   return all;
 }
 
@@ -81,7 +81,7 @@ void run_case(const Case& which, const std::filesystem::path& folder, ResultTabl
   const TestSystem& system = test_system(which.system);
   write_model(folder / (system.name + ".json"), system.model);
   const Dataset clean =
-      record_of(system.model, Dopri87{}, system.start, which.step, which.samples);
+      record_of(system.model, dopri87(), system.start, which.step, which.samples);
   for (const double noise : kNoise) {
     const int draws = noise == 0.0 ? 1 : kDraws;
     for (int draw = 1; draw <= draws; ++draw) {

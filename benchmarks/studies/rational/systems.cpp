@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "lacuna/bases/monomials.hpp"
+#include "lacuna/bases/bases.hpp"
 #include "lacuna/core/base/error.hpp"
-#include "lacuna/dynamics/integration/runge_kutta.hpp"
 #include "lacuna/dynamics/integration/simulate.hpp"
+#include "lacuna/dynamics/integrators.hpp"
 #include "lacuna/dynamics/test_systems/measurement.hpp"
 #include "lacuna/identify/pipeline/presets.hpp"
 #include "lacuna/model/files/ode_text.hpp"
@@ -121,14 +121,14 @@ const RationalSystem& rational_system(const std::string& name) {
 
 Pipeline pipeline_for(const RationalSystem& system) {
   Pipeline pipeline = algorithm1();
-  pipeline.basis = Monomials{{.max_degree = system.degree, .include = system.known}};
+  pipeline.basis = monomials({.max_degree = system.degree, .include = system.known});
   return pipeline;
 }
 
 Dataset records_of(const RationalSystem& system, double noise, std::uint64_t seed) {
   Dataset all;
   for (const Vector& start : system.starts) {
-    Dataset one = record_of(system.model, Dopri87{}, start, system.step, system.samples);
+    Dataset one = record_of(system.model, dopri87(), start, system.step, system.samples);
     if (all.trajectories.empty())
       all = std::move(one);
     else
@@ -164,7 +164,7 @@ double rate_error(const OdeModel& found, const RationalSystem& system) {
 double determination(const OdeModel& found, const RationalSystem& system) {
   double least = 1.0;
   for (const Trajectory& record : records_of(system, 0.0, 1).trajectories) {
-    const Solution orbit = simulate(found, Dopri8{}, record.states.row(0), record.time);
+    const Solution orbit = simulate(found, dopri8(), record.states.row(0), record.time);
     if (orbit.status != IntegrationStatus::Completed || !orbit.states.allFinite()) return -1.0;
     const double left = (record.states - orbit.states).squaredNorm();
     least = std::min(least, 1.0 - left / squared_deviation(record.states));

@@ -2,12 +2,12 @@
 #include "cases.hpp"
 
 #include "cli/configuration/variants.hpp"
-#include "lacuna/bases/monomials.hpp"
-#include "lacuna/dynamics/integration/runge_kutta.hpp"
+#include "lacuna/bases/bases.hpp"
 #include "lacuna/dynamics/integration/simulate.hpp"
+#include "lacuna/dynamics/integrators.hpp"
 #include "lacuna/dynamics/test_systems/test_systems.hpp"
 #include "lacuna/identify/bench/bench.hpp"
-#include "lacuna/trajectories/refiners/no_refiner.hpp"
+#include "lacuna/trajectories/refiners.hpp"
 
 namespace lacuna::benchmarks {
 namespace {
@@ -42,12 +42,12 @@ std::vector<Composition> all_compositions(const Registry& registry) {
       for (const auto& regressor : available<Regressor>(registry))
         for (const auto& pruner : available<TermPruner>(registry))
           all.push_back({filter.label, regressor.label, pruner.label, derivative,
-                         Pipeline{.basis = Monomials{{.max_degree = 3}},
+                         Pipeline{.basis = monomials({.max_degree = 3}),
                                   .formulation = formulation,
                                   .filter = filter.stage,
                                   .regressor = regressor.stage,
                                   .pruner = pruner.stage,
-                                  .refiner = NoRefiner{}}});
+                                  .refiner = no_refiner()}});
   };
   compose("exact", formulations.front().stage);
   for (const auto& formulation : formulations)
@@ -64,7 +64,7 @@ std::vector<Condition> all_conditions() {
 Dataset noisy_record(const Condition& condition, std::uint64_t seed) {
   const TestSystem& rossler = test_system("rossler");
   const Vector times = sample_times(0.0, kStep, condition.samples);
-  const Solution orbit = simulate(rossler.model, Dopri87{}, rossler.start, times);
+  const Solution orbit = simulate(rossler.model, dopri87(), rossler.start, times);
 
   Trajectory trajectory{"rossler", times, orbit.states, Matrix(times.size(), 0), orbit.states};
   CompiledModel model = rossler.model.compile();

@@ -15,16 +15,16 @@
 
 #include "core/base/text.hpp"
 #include "core/files/atomic_file.hpp"
-#include "lacuna/bases/monomials.hpp"
-#include "lacuna/data/long_records/read_stream.hpp"
+#include "lacuna/bases/bases.hpp"
+#include "lacuna/data/long_records.hpp"
 #include "lacuna/dynamics/test_systems/test_systems.hpp"
 #include "lacuna/identify/pipeline/presets.hpp"
 #include "lacuna/model/equations/compare_models.hpp"
 #include "report/plot/figure.hpp"
-#include "support/meter.hpp"
 #include "studies/scaling/pieces.hpp"
 #include "studies/scaling/records.hpp"
 #include "support/lorenz96.hpp"
+#include "support/meter.hpp"
 #include "support/table.hpp"
 
 namespace lacuna::benchmarks {
@@ -53,7 +53,7 @@ constexpr Index kInMemory = 1000000;
 
 Pipeline pipeline_of(const Task& task) {
   Pipeline pipeline = preset(task.preset);
-  pipeline.basis = Monomials{{.max_degree = task.degree}};
+  pipeline.basis = monomials({.max_degree = task.degree});
   return pipeline;
 }
 

@@ -14,11 +14,11 @@
 #include "core/base/parallel.hpp"
 #include "core/base/text.hpp"
 #include "core/files/atomic_file.hpp"
-#include "lacuna/data/long_records/read_stream.hpp"
+#include "lacuna/data/long_records.hpp"
 #include "lacuna/dynamics/test_systems/test_systems.hpp"
 #include "lacuna/identify/pipeline/presets.hpp"
-#include "support/meter.hpp"
 #include "studies/scaling/records.hpp"
+#include "support/meter.hpp"
 #include "support/table.hpp"
 
 namespace lacuna::benchmarks {

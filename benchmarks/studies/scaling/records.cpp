@@ -6,8 +6,8 @@
 #include <fstream>
 
 #include "core/base/random.hpp"
-#include "lacuna/dynamics/integration/runge_kutta.hpp"
 #include "lacuna/dynamics/integration/simulate.hpp"
+#include "lacuna/dynamics/integrators.hpp"
 
 namespace lacuna::benchmarks {
 namespace {
@@ -46,7 +46,7 @@ class Orbit {
  private:
   Matrix next_states(Index rows) {
     const Solution orbit =
-        simulate(problem_.model, Dopri8{}, state_, sample_times(0.0, problem_.step, rows + 1));
+        simulate(problem_.model, dopri8(), state_, sample_times(0.0, problem_.step, rows + 1));
     state_ = orbit.states.row(rows).transpose();
     return orbit.states.topRows(rows);
   }

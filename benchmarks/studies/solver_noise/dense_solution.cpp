@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "lacuna/dynamics/integration/butcher_tableau.hpp"
+#include "dynamics/integration/butcher_tableau.hpp"
 
 namespace lacuna::benchmarks {
 namespace {

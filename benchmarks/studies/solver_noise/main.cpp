@@ -13,12 +13,12 @@
 #include "core/base/text.hpp"
 #include "lacuna/identify/pipeline/presets.hpp"
 #include "lacuna/model/equations/compare_models.hpp"
-#include "lacuna/regression/pruners/minor_terms.hpp"
-#include "lacuna/trajectories/refiners/trajectory_selection.hpp"
+#include "lacuna/regression/pruners.hpp"
 #include "records.hpp"
 #include "support/parallel.hpp"
 #include "support/settings.hpp"
 #include "support/table.hpp"
+#include "trajectories/refiners/trajectory_selection.hpp"
 #include "verdicts.hpp"
 
 namespace lacuna::benchmarks {
@@ -36,8 +36,8 @@ Method method(const std::string& name, std::optional<double> effect_size = {}) {
   const auto& refiner = dynamic_cast<const TrajectorySelection&>(*pipeline.refiner);
   TrajectorySelectionOptions options = refiner.options();
   options.negligible.effect_size = *effect_size;
-  pipeline.refiner = TrajectorySelection{options};
-  pipeline.pruner = MinorTerms{{.negligible = {.effect_size = *effect_size}}};
+  pipeline.refiner = trajectory_selection(options);
+  pipeline.pruner = minor_terms({.negligible = {.effect_size = *effect_size}});
   return {name + ", effect size " + format_number(*effect_size), std::move(pipeline)};
 }
 

@@ -8,7 +8,7 @@
 
 #include "core/base/text.hpp"
 #include "dense_solution.hpp"
-#include "lacuna/dynamics/integration/runge_kutta.hpp"
+#include "lacuna/dynamics/integrators.hpp"
 
 namespace lacuna::benchmarks {
 namespace {
@@ -110,9 +110,9 @@ Matrix solve(const DrivenModel& driven, const Flow& flow, const Making& making,
           driven, flow.start, times, making.tolerance,
           making.solver == Solver::Quartic ? Between::Quartic : Between::Cubic);
     case Solver::Fixed:
-      return simulate(driven, Rk4({.substeps = making.substeps}), flow.start, times).states;
+      return simulate(driven, rk4({.substeps = making.substeps}), flow.start, times).states;
     default:
-      return simulate(driven, Dopri87{}, flow.start, times).states;
+      return simulate(driven, dopri87(), flow.start, times).states;
   }
 }
 

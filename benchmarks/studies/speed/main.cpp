@@ -14,8 +14,8 @@
 #include <sstream>
 
 #include "core/base/text.hpp"
-#include "lacuna/dynamics/integration/runge_kutta.hpp"
 #include "lacuna/dynamics/integration/simulate.hpp"
+#include "lacuna/dynamics/integrators.hpp"
 #include "lacuna/dynamics/test_systems/measurement.hpp"
 #include "lacuna/dynamics/test_systems/test_systems.hpp"
 #include "questions.hpp"
@@ -86,7 +86,7 @@ double calibration() {
   constexpr double kStep = 0.01;
   const TestSystem& lorenz = test_system("lorenz");
   const double before = cpu_seconds();
-  record_of(lorenz.model, Rk4{}, lorenz.start, kStep, kSamples);
+  record_of(lorenz.model, rk4(), lorenz.start, kStep, kSamples);
   return cpu_seconds() - before;
 }
 

@@ -10,11 +10,11 @@
 #include "hidden/support/cases.hpp"
 #include "hidden/support/records.hpp"
 #include "lacuna/cli/configuration/registry.hpp"
-#include "lacuna/data/derivatives/finite_differences.hpp"
+#include "lacuna/data/differentiators.hpp"
 #include "lacuna/data/formats/read.hpp"
 #include "lacuna/data/formats/write.hpp"
-#include "lacuna/diagnose/journey/diagnose.hpp"
-#include "lacuna/dynamics/integration/runge_kutta.hpp"
+#include "lacuna/diagnose/diagnose.hpp"
+#include "lacuna/dynamics/integrators.hpp"
 #include "lacuna/dynamics/test_systems/measurement.hpp"
 #include "lacuna/dynamics/test_systems/test_systems.hpp"
 #include "lacuna/identify/journey/identify_records.hpp"
@@ -79,7 +79,7 @@ Question identify_question(const std::string& name, Dataset data, Pipeline pipel
 
 Dataset lorenz_record(Index samples) {
   const TestSystem& lorenz = test_system("lorenz");
-  return add_relative_noise(record_of(lorenz.model, Dopri87{}, lorenz.start, kStep, samples),
+  return add_relative_noise(record_of(lorenz.model, dopri87(), lorenz.start, kStep, samples),
                             kNoise, kSeed);
 }
 
@@ -103,7 +103,7 @@ std::vector<QuestionMaker> identify_questions() {
     const OdeModel model = lorenz96(kStates);
     Vector start = Vector::Constant(kStates, 8.0);
     start[0] += kStep;
-    return add_relative_noise(record_of(model, Dopri87{}, start, kStep, kSamples), kNoise,
+    return add_relative_noise(record_of(model, dopri87(), start, kStep, kSamples), kNoise,
                               kSeed);
   }));
   all.push_back({"identify lorenz 1e4, preset sindy", [] {
@@ -125,7 +125,7 @@ std::string named_in(const Diagnosis& diagnosis) {
 /// Records in a model's variables, whose other states are made from those that were measured.
 Dataset seen_by(const OdeModel& nominal, const Dataset& data) {
   if (data.trajectories.empty() || data.state_count() == nominal.dimension()) return data;
-  return model_view(nominal, data, FiniteDifferences{});
+  return model_view(nominal, data, finite_differences());
 }
 
 /// @param find, check as they were measured.
@@ -216,7 +216,8 @@ QuestionMaker stock_tl072(const fs::path& data) {
             const fs::path folder = data / "practice/stock_tl072";
             const OdeModel nominal = read_model((folder / "nominal.json").string());
             const auto read = [&](const char* file) {
-              return read_records(nominal, {(folder / file).string()}, {}, FiniteDifferences{});
+              return read_records(nominal, {(folder / file).string()}, {},
+                                  finite_differences());
             };
             Question question = diagnose_question(name, nominal, read("r1_adc.csv.gz"),
                                                   read("r2_adc.csv.gz"));

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <vector>
+
 #include "lacuna/forms/candidate/effect.hpp"
 
 namespace lacuna {
@@ -46,5 +48,8 @@ class FamilyEffect final : public Configured<Effect, FamilyOptions<Family>> {
     return Family.reading != nullptr ? Family.reading(fitted) : Effect::do_reading(fitted);
   }
 };
+
+/// The named effects of lacuna, in the order in which they are listed and tried.
+std::vector<Stage<Effect>> standard_effects();
 
 }  // namespace lacuna

@@ -11,7 +11,7 @@
 #include "lacuna/dynamics/integration/simulate.hpp"
 #include "lacuna/dynamics/test_systems/test_systems.hpp"
 #include "lacuna/records/binding/read_records.hpp"
-#include "lacuna/report/pages/comparison_report.hpp"
+#include "lacuna/report/reports.hpp"
 #include "records/channels/shown_holds.hpp"
 
 namespace lacuna::cli {

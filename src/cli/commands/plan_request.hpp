@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "data_options.hpp"
-#include "lacuna/report/plans/plan_report.hpp"
+#include "lacuna/report/reports.hpp"
 
 namespace lacuna::cli {
 

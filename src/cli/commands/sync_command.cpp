@@ -7,15 +7,15 @@
 #include "command.hpp"
 #include "core/base/text.hpp"
 #include "data_options.hpp"
+#include "dynamics/integration/automatic.hpp"
 #include "lacuna/core/numerics/sampled_signal.hpp"
 #include "lacuna/data/formats/read.hpp"
 #include "lacuna/data/records/marks.hpp"
-#include "lacuna/dynamics/integration/automatic.hpp"
 #include "lacuna/records/binding/read_records.hpp"
 #include "records/channels/shown_holds.hpp"
 #include "report/pages/data_summary.hpp"
-#include "report/pages/pages.hpp"
 #include "report/pages/folded_text.hpp"
+#include "report/pages/pages.hpp"
 #include "report_options.hpp"
 
 namespace lacuna::cli {

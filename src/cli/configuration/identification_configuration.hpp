@@ -2,7 +2,7 @@
 #pragma once
 
 #include "lacuna/cli/configuration/configuration.hpp"
-#include "lacuna/identify/journey/identification_options.hpp"
+#include "lacuna/identify/options.hpp"
 
 namespace lacuna {
 

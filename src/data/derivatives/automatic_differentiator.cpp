@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/data/derivatives/automatic_differentiator.hpp"
+#include "data/derivatives/automatic_differentiator.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,14 +9,14 @@
 
 #include "core/base/random.hpp"
 #include "data/derivatives/excerpt.hpp"
-#include "lacuna/data/derivatives/finite_differences.hpp"
-#include "lacuna/data/derivatives/kalman.hpp"
-#include "lacuna/data/derivatives/local_polynomial.hpp"
-#include "lacuna/data/derivatives/savitzky_golay.hpp"
-#include "lacuna/data/derivatives/smoothing_spline.hpp"
-#include "lacuna/data/derivatives/spectral.hpp"
-#include "lacuna/data/derivatives/trend_filter.hpp"
-#include "lacuna/data/derivatives/whittaker.hpp"
+#include "data/derivatives/finite_differences.hpp"
+#include "data/derivatives/kalman.hpp"
+#include "data/derivatives/local_polynomial.hpp"
+#include "data/derivatives/savitzky_golay.hpp"
+#include "data/derivatives/smoothing_spline.hpp"
+#include "data/derivatives/spectral.hpp"
+#include "data/derivatives/trend_filter.hpp"
+#include "data/derivatives/whittaker.hpp"
 
 namespace lacuna {
 namespace {
@@ -164,6 +164,10 @@ std::shared_ptr<const Differentiator> AutomaticDifferentiator::do_fit(
     const Dataset& data, const std::optional<Vector>& noise) const {
   check_samples(info().name, longest_record(data).samples(), do_fewest_samples());
   return fitted_to(best_for(data, noise, options().draws), data, noise).shared();
+}
+
+Stage<Differentiator> automatic_differentiator(const AutomaticDifferentiatorOptions& options) {
+  return AutomaticDifferentiator(options);
 }
 
 }  // namespace lacuna

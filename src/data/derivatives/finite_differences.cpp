@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/data/derivatives/finite_differences.hpp"
+#include "data/derivatives/finite_differences.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -223,6 +223,10 @@ std::optional<Vector> FiniteDifferences::do_truncation_error(const Dataset& data
   const int next = std::max(*options().order + 2, 6);
   if (highest_order(part, next) < next) return std::nullopt;
   return choice_for(part, estimate_noise(part), next).truncation(*options().order);
+}
+
+Stage<Differentiator> finite_differences(const FiniteDifferencesOptions& options) {
+  return FiniteDifferences(options);
 }
 
 }  // namespace lacuna

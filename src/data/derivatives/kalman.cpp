@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/data/derivatives/kalman.hpp"
+#include "data/derivatives/kalman.hpp"
 
 #include <cmath>
 #include <limits>
@@ -102,6 +102,10 @@ std::shared_ptr<const Differentiator> KalmanSmoother::do_fit(
       std::make_shared<KalmanSmoother>(Options{.order = best.order, .lambda = best.lambda});
   method->margin_ = penalty_margin(best.lambda, step, best.order);
   return method;
+}
+
+Stage<Differentiator> kalman_smoother(const KalmanSmootherOptions& options) {
+  return KalmanSmoother(options);
 }
 
 }  // namespace lacuna

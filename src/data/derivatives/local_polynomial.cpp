@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/data/derivatives/local_polynomial.hpp"
+#include "data/derivatives/local_polynomial.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -178,6 +178,10 @@ std::optional<Matrix> LocalPolynomial::do_standard_error(const Vector& time,
         local_rule(time, i, fit.widths[i], options().degree, order).weights.norm() *
         fit.noise.transpose();
   return result;
+}
+
+Stage<Differentiator> local_polynomial(const LocalPolynomialOptions& options) {
+  return LocalPolynomial(options);
 }
 
 }  // namespace lacuna

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "core/numerics/sparse_cholesky.hpp"
+#include "data/derivatives/penalty_choice.hpp"
 #include "lacuna/core/base/types.hpp"
-#include "lacuna/data/derivatives/penalty_choice.hpp"
 
 namespace lacuna {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/data/derivatives/savitzky_golay.hpp"
+#include "data/derivatives/savitzky_golay.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -98,6 +98,10 @@ std::shared_ptr<const Differentiator> SavitzkyGolay::do_fit(
     fitted.window = window;
   }
   return std::make_shared<SavitzkyGolay>(fitted);
+}
+
+Stage<Differentiator> savitzky_golay(const SavitzkyGolayOptions& options) {
+  return SavitzkyGolay(options);
 }
 
 }  // namespace lacuna

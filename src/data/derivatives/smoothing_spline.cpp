@@ -1,16 +1,21 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/data/derivatives/smoothing_spline.hpp"
+#include "data/derivatives/smoothing_spline.hpp"
 
 #include <cmath>
 #include <string>
 
 #include "data/derivatives/excerpt.hpp"
 #include "data/derivatives/penalised_fit.hpp"
+#include "data/derivatives/penalty_choice.hpp"
 #include "data/derivatives/penalty_range.hpp"
 #include "data/derivatives/polynomial_trend.hpp"
 #include "data/derivatives/uniform_spline.hpp"
 
 namespace lacuna {
+
+void SmoothingSplineOptions::describe(OptionVisitor& v) {
+  describe_penalty(v, "m: the m-th derivative is penalised.", "time^(2m-1)", *this);
+}
 namespace {
 
 /// What a spline of the given penalty leaves open for one record.
@@ -79,6 +84,10 @@ std::shared_ptr<const Differentiator> SmoothingSpline::do_fit(
   auto method = std::make_shared<SmoothingSpline>(fitted);
   method->margin_ = margin;
   return method;
+}
+
+Stage<Differentiator> smoothing_spline(const SmoothingSplineOptions& options) {
+  return SmoothingSpline(options);
 }
 
 }  // namespace lacuna

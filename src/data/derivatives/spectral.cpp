@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/data/derivatives/spectral.hpp"
+#include "data/derivatives/spectral.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -168,5 +168,7 @@ std::shared_ptr<const Differentiator> Spectral::do_fit(const Dataset& data,
   return std::make_shared<Spectral>(
       Options{.cutoff = (cosines + 0.25) / (2.0 * middle.duration())});
 }
+
+Stage<Differentiator> spectral(const SpectralOptions& options) { return Spectral(options); }
 
 }  // namespace lacuna

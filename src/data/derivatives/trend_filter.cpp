@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/data/derivatives/trend_filter.hpp"
+#include "data/derivatives/trend_filter.hpp"
 
 #include <cmath>
 
@@ -52,6 +52,10 @@ std::shared_ptr<const Differentiator> TrendFilter::do_fit(
   method->noise_ = sigma;
   method->margin_ = static_cast<Index>(std::ceil(joined_samples(weight, d)));
   return method;
+}
+
+Stage<Differentiator> trend_filter(const TrendFilterOptions& options) {
+  return TrendFilter(options);
 }
 
 }  // namespace lacuna

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/data/derivatives/whittaker.hpp"
+#include "data/derivatives/whittaker.hpp"
 
 #include <cmath>
 #include <string>
@@ -7,12 +7,17 @@
 
 #include "data/derivatives/excerpt.hpp"
 #include "data/derivatives/penalised_fit.hpp"
+#include "data/derivatives/penalty_choice.hpp"
 #include "data/derivatives/penalty_range.hpp"
 #include "data/derivatives/polynomial_trend.hpp"
 #include "data/derivatives/sample_differences.hpp"
 #include "data/derivatives/stencil.hpp"
 
 namespace lacuna {
+
+void WhittakerOptions::describe(OptionVisitor& v) {
+  describe_penalty(v, "d: divided differences of order d are penalised.", "time^(2d-1)", *this);
+}
 namespace {
 
 struct DifferenceRecord {
@@ -76,5 +81,7 @@ std::shared_ptr<const Differentiator> Whittaker::do_fit(
   method->margin_ = margin;
   return method;
 }
+
+Stage<Differentiator> whittaker(const WhittakerOptions& options) { return Whittaker(options); }
 
 }  // namespace lacuna

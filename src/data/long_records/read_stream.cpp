@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/data/long_records/read_stream.hpp"
-
 #include <algorithm>
 #include <memory>
 #include <utility>
@@ -13,6 +11,7 @@
 #include "is_plain.hpp"
 #include "lacuna/core/base/error.hpp"
 #include "lacuna/data/formats/read.hpp"
+#include "lacuna/data/long_records.hpp"
 #include "npy_file.hpp"
 #include "spool.hpp"
 

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/data/long_records/record_stream.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <string>
 #include <utility>
 
 #include "core/base/check.hpp"
+#include "lacuna/data/long_records.hpp"
 
 namespace lacuna {
 namespace {

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/data/long_records/sample_source.hpp"
-
 #include <algorithm>
 #include <utility>
 
 #include "core/base/check.hpp"
+#include "lacuna/data/long_records.hpp"
 
 namespace lacuna {
 namespace {

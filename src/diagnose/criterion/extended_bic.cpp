@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/diagnose/criterion/extended_bic.hpp"
+#include "diagnose/criterion/extended_bic.hpp"
 
 #include "core/statistics/information.hpp"
 
@@ -14,6 +14,10 @@ void ExtendedBicOptions::describe(OptionVisitor& v) {
 double ExtendedBic::do_penalty(const Evidence& evidence) const {
   return evidence.parameters * parameter_penalty(evidence.samples) +
          2.0 * options().choice * evidence.log_choices;
+}
+
+Stage<Criterion> extended_bic(const ExtendedBicOptions& options) {
+  return ExtendedBic(options);
 }
 
 }  // namespace lacuna

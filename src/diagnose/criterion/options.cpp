@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/diagnose/criterion/options.hpp"
+#include "lacuna/diagnose/options.hpp"
 
 namespace lacuna {
 

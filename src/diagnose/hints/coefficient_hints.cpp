@@ -5,7 +5,7 @@
 #include <set>
 
 #include "core/base/text.hpp"
-#include "lacuna/diagnose/hints/hints.hpp"
+#include "diagnose/hints/hints.hpp"
 #include "slip_hints.hpp"
 
 namespace lacuna {

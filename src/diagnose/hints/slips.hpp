@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "lacuna/diagnose/hints/hints.hpp"
+#include "diagnose/hints/hints.hpp"
 
 namespace lacuna {
 

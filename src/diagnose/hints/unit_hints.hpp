@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "lacuna/diagnose/hints/hints.hpp"
+#include "diagnose/hints/hints.hpp"
 #include "window_rates.hpp"
 
 namespace lacuna {

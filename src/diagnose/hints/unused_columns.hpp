@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "lacuna/diagnose/hints/hints.hpp"
+#include "diagnose/hints/hints.hpp"
 #include "window_rates.hpp"
 
 namespace lacuna {

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "bases/monomials.hpp"
 #include "diagnose/search/function_basis.hpp"
-#include "lacuna/bases/monomials.hpp"
 
 namespace lacuna {
 namespace {

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "journey.hpp"
-#include "lacuna/diagnose/journey/diagnosis.hpp"
+#include "lacuna/diagnose/diagnosis.hpp"
 
 namespace lacuna {
 

@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "lacuna/diagnose/journey/diagnosis.hpp"
+#include "lacuna/diagnose/diagnosis.hpp"
 #include "lacuna/trajectories/smoother/assimilation.hpp"
 
 namespace lacuna {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The journey: records -> baseline -> composite models -> the best of them -> gap -> answer.
-#include "lacuna/diagnose/journey/diagnose.hpp"
+#include "lacuna/diagnose/diagnose.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -11,13 +11,13 @@
 
 #include "answer.hpp"
 #include "core/base/text.hpp"
+#include "data/derivatives/finite_differences.hpp"
 #include "data/records/number_range.hpp"
+#include "diagnose/hints/hints.hpp"
 #include "diagnose/hypotheses/input_noise.hpp"
 #include "fitted_start.hpp"
 #include "held_inputs.hpp"
 #include "journey.hpp"
-#include "lacuna/data/derivatives/finite_differences.hpp"
-#include "lacuna/diagnose/hints/hints.hpp"
 #include "lacuna/records/binding/gaps.hpp"
 #include "lacuna/records/binding/model_view.hpp"
 #include "lacuna/records/binding/read_records.hpp"

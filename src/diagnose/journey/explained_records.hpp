@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "lacuna/diagnose/journey/gap.hpp"
+#include "diagnose/journey/gap.hpp"
 
 namespace lacuna {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/diagnose/journey/fitted_outputs.hpp"
+#include "diagnose/journey/fitted_outputs.hpp"
 
 #include <algorithm>
 #include <set>

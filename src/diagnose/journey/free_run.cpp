@@ -6,7 +6,7 @@
 #include <limits>
 #include <utility>
 
-#include "lacuna/dynamics/integration/automatic.hpp"
+#include "dynamics/integration/automatic.hpp"
 #include "lacuna/core/base/error.hpp"
 #include "lacuna/data/records/marks.hpp"
 #include "lacuna/dynamics/integration/record_input.hpp"

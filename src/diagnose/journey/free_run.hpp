@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "lacuna/diagnose/journey/gap.hpp"
+#include "diagnose/journey/gap.hpp"
 
 namespace lacuna {
 

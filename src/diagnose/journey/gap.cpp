@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/diagnose/journey/gap.hpp"
+#include "diagnose/journey/gap.hpp"
 
 #include <algorithm>
 #include <cmath>

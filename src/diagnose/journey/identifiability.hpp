@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "lacuna/diagnose/hints/hints.hpp"
+#include "diagnose/hints/hints.hpp"
 #include "lacuna/diagnose/hypotheses/problem.hpp"
 
 namespace lacuna {

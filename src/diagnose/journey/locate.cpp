@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/diagnose/journey/locate.hpp"
+#include "diagnose/journey/locate.hpp"
 
 #include <algorithm>
 #include <cmath>

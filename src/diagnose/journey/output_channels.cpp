@@ -7,7 +7,7 @@
 #include <set>
 #include <utility>
 
-#include "lacuna/data/derivatives/finite_differences.hpp"
+#include "data/derivatives/finite_differences.hpp"
 #include "lacuna/data/records/marks.hpp"
 #include "lacuna/model/expressions/program.hpp"
 #include "lacuna/records/binding/model_view.hpp"

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "diagnose/journey/gap.hpp"
 #include "lacuna/diagnose/hypotheses/composite_model.hpp"
-#include "lacuna/diagnose/journey/gap.hpp"
 
 namespace lacuna {
 

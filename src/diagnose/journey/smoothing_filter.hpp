@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "lacuna/data/records/dataset.hpp"
-#include "lacuna/diagnose/criterion/smoothing_options.hpp"
+#include "lacuna/diagnose/options.hpp"
 
 namespace lacuna {
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include "lacuna/effects/families.hpp"
+#include "effects/families.hpp"
 #include "lacuna/effects/patterns.hpp"
 #include "lacuna/effects/terms.hpp"
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/dynamics/integration/automatic.hpp"
+#include "dynamics/integration/automatic.hpp"
 
 #include <algorithm>
 #include <utility>
 
-#include "lacuna/dynamics/integration/cvode.hpp"
+#include "dynamics/integration/cvode.hpp"
 
 namespace lacuna {
 namespace {
@@ -27,5 +27,7 @@ std::unique_ptr<Stepper> Automatic::make_stepper(Index dimension) const {
   return adaptive_stepper(dormand_prince_54(), dimension, options().control,
                           std::move(when_stiff));
 }
+
+Stage<Integrator> automatic(const AutomaticOptions& options) { return Automatic(options); }
 
 }  // namespace lacuna

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/dynamics/integration/butcher_tableau.hpp"
+#include "dynamics/integration/butcher_tableau.hpp"
 
 #include <array>
 #include <string>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/dynamics/integration/cvode.hpp"
+#include "dynamics/integration/cvode.hpp"
 
 #include <cvode/cvode.h>
 #include <nvector/nvector_serial.h>
@@ -148,5 +148,7 @@ std::unique_ptr<Stepper> Cvode::make_stepper(Index dimension) const {
                  "it takes 1 to 8192 states", "use dopri5 for more");
   return std::make_unique<CvodeStepper>(dimension, options());
 }
+
+Stage<Integrator> cvode(const CvodeOptions& options) { return Cvode(options); }
 
 }  // namespace lacuna

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/dynamics/integration/cvode.hpp"
+#include "dynamics/integration/cvode.hpp"
 
 namespace lacuna {
 

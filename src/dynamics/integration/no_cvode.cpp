@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include "dynamics/integration/cvode.hpp"
 #include "lacuna/core/base/error.hpp"
-#include "lacuna/dynamics/integration/cvode.hpp"
 
 namespace lacuna {
 

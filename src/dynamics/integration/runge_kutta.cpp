@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/dynamics/integration/runge_kutta.hpp"
+#include "dynamics/integration/runge_kutta.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -402,5 +402,15 @@ std::unique_ptr<Stepper> Dopri8::make_stepper(Index dimension) const {
 std::unique_ptr<Stepper> Dopri87::make_stepper(Index dimension) const {
   return adaptive_stepper(prince_dormand_87(), dimension, options().control);
 }
+
+Stage<Integrator> rk4(const Rk4Options& options) { return Rk4(options); }
+
+Stage<Integrator> runge_kutta(const RungeKuttaOptions& options) { return RungeKutta(options); }
+
+Stage<Integrator> dopri5(const Dopri5Options& options) { return Dopri5(options); }
+
+Stage<Integrator> dopri8(const Dopri8Options& options) { return Dopri8(options); }
+
+Stage<Integrator> dopri87(const Dopri87Options& options) { return Dopri87(options); }
 
 }  // namespace lacuna

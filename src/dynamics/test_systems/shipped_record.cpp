@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "lacuna/dynamics/integration/runge_kutta.hpp"
+#include "dynamics/integration/runge_kutta.hpp"
 #include "lacuna/dynamics/test_systems/measurement.hpp"
 #include "lacuna/dynamics/test_systems/test_systems.hpp"
 

@@ -10,7 +10,7 @@
 #include "core/base/random.hpp"
 #include "core/base/text.hpp"
 #include "core/base/user_text.hpp"
-#include "lacuna/dynamics/integration/runge_kutta.hpp"
+#include "dynamics/integration/runge_kutta.hpp"
 #include "lacuna/dynamics/integration/synchroniser.hpp"
 #include "lacuna/model/equations/compare_models.hpp"
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "lacuna/data/records/noise.hpp"
-#include "lacuna/identify/dead_time/dead_time_options.hpp"
+#include "lacuna/identify/options.hpp"
 #include "lacuna/identify/pipeline/pipeline.hpp"
 
 namespace lacuna {

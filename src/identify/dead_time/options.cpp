@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/identify/dead_time/dead_time_options.hpp"
+#include "lacuna/identify/options.hpp"
 
 namespace lacuna {
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "lacuna/core/base/run_context.hpp"
-#include "lacuna/identify/dead_time/dead_time_options.hpp"
+#include "lacuna/identify/options.hpp"
 #include "lacuna/identify/pipeline/pipeline.hpp"
 
 namespace lacuna {

@@ -6,10 +6,10 @@
 #include <string>
 #include <utility>
 
+#include "bases/expressions.hpp"
 #include "data/records/known_noise.hpp"
-#include "lacuna/bases/expressions.hpp"
-#include "lacuna/trajectories/refiners/trajectory_selection.hpp"
 #include "refined_shapes.hpp"
+#include "trajectories/refiners/trajectory_selection.hpp"
 
 namespace lacuna {
 namespace {

@@ -8,7 +8,7 @@
 #include "base_columns.hpp"
 #include "form_rows.hpp"
 #include "identify/forms_beside/missing_forms.hpp"
-#include "lacuna/identify/forms_beside/form_options.hpp"
+#include "lacuna/identify/options.hpp"
 
 namespace lacuna {
 

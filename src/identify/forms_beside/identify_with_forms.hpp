@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "lacuna/forms/candidate/effect.hpp"
-#include "lacuna/identify/forms_beside/form_options.hpp"
+#include "lacuna/identify/options.hpp"
 #include "lacuna/identify/pipeline/pipeline.hpp"
 
 namespace lacuna {

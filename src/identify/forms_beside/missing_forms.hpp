@@ -9,7 +9,7 @@
 #include "lacuna/data/records/dataset.hpp"
 #include "lacuna/forms/candidate/candidate.hpp"
 #include "lacuna/forms/candidate/scope.hpp"
-#include "lacuna/identify/forms_beside/form_options.hpp"
+#include "lacuna/identify/options.hpp"
 #include "lacuna/model/equations/term.hpp"
 
 namespace lacuna {

@@ -5,7 +5,7 @@
 
 #include "identify/forms_beside/missing_forms.hpp"
 #include "lacuna/core/base/run_context.hpp"
-#include "lacuna/data/long_records/record_stream.hpp"
+#include "lacuna/data/long_records.hpp"
 #include "lacuna/model/equations/ode_model.hpp"
 
 namespace lacuna {

@@ -6,10 +6,10 @@
 #include <map>
 #include <set>
 
+#include "bases/expressions.hpp"
 #include "core/base/text.hpp"
 #include "data/records/far_variables.hpp"
 #include "identify/pipeline/equation_terms.hpp"
-#include "lacuna/bases/expressions.hpp"
 
 namespace lacuna {
 namespace {

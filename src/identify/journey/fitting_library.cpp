@@ -5,8 +5,8 @@
 #include <numeric>
 #include <set>
 
+#include "bases/expressions.hpp"
 #include "identify/pipeline/equation_terms.hpp"
-#include "lacuna/bases/expressions.hpp"
 
 namespace lacuna {
 namespace {

@@ -6,6 +6,7 @@
 
 #include "centred_library.hpp"
 #include "data/records/known_noise.hpp"
+#include "dynamics/integration/automatic.hpp"
 #include "fitting_library.hpp"
 #include "identify/dead_time/dead_time_search.hpp"
 #include "identify/dead_time/delayed_inputs.hpp"
@@ -15,7 +16,6 @@
 #include "identify/plain_structure/plain_equations.hpp"
 #include "identify/validation/validate.hpp"
 #include "lacuna/core/base/error.hpp"
-#include "lacuna/dynamics/integration/automatic.hpp"
 #include "lower_terms.hpp"
 #include "plain_terms.hpp"
 #include "records/binding/other_records.hpp"

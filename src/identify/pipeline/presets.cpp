@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: MIT
 #include "lacuna/identify/pipeline/presets.hpp"
 
+#include "bases/monomials.hpp"
 #include "core/base/text.hpp"
-#include "lacuna/bases/monomials.hpp"
-#include "lacuna/data/derivatives/finite_differences.hpp"
-#include "lacuna/regression/filters/abm.hpp"
-#include "lacuna/regression/filters/none.hpp"
-#include "lacuna/regression/formulations/strong_form.hpp"
-#include "lacuna/regression/pruners/keep_all.hpp"
-#include "lacuna/regression/pruners/minor_terms.hpp"
-#include "lacuna/solvers/irls.hpp"
-#include "lacuna/solvers/ols.hpp"
-#include "lacuna/solvers/stlsq.hpp"
-#include "lacuna/trajectories/refiners/no_refiner.hpp"
-#include "lacuna/trajectories/refiners/trajectory_selection.hpp"
+#include "data/derivatives/finite_differences.hpp"
+#include "regression/filters/abm.hpp"
+#include "regression/filters/none.hpp"
+#include "regression/formulations/strong_form.hpp"
+#include "regression/pruners/keep_all.hpp"
+#include "regression/pruners/minor_terms.hpp"
+#include "solvers/irls.hpp"
+#include "solvers/ols.hpp"
+#include "solvers/stlsq.hpp"
+#include "trajectories/refiners/no_refiner.hpp"
+#include "trajectories/refiners/trajectory_selection.hpp"
 
 namespace lacuna {
 namespace {

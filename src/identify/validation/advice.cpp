@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/identify/validation/advice.hpp"
+#include "identify/validation/advice.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <optional>
 
+#include "bases/expressions.hpp"
 #include "core/base/text.hpp"
 #include "identify/forms_beside/function_forms.hpp"
 #include "identify/forms_beside/missing_forms.hpp"
-#include "lacuna/bases/expressions.hpp"
 #include "lacuna/model/equations/rounding.hpp"
 
 namespace lacuna {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "lacuna/data/records/dataset.hpp"
-#include "lacuna/identify/validation/validation_options.hpp"
+#include "lacuna/identify/options.hpp"
 
 namespace lacuna {
 

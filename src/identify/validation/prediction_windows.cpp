@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "core/numerics/qr.hpp"
-#include "lacuna/dynamics/integration/automatic.hpp"
+#include "dynamics/integration/automatic.hpp"
 #include "lacuna/dynamics/integration/record_input.hpp"
 #include "lacuna/dynamics/integration/simulate.hpp"
 #include "lacuna/trajectories/sensitivities/linearised_record.hpp"

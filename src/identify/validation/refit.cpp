@@ -3,13 +3,13 @@
 
 #include <algorithm>
 
-#include "lacuna/bases/expressions.hpp"
+#include "bases/expressions.hpp"
 #include "lacuna/core/base/error.hpp"
-#include "lacuna/regression/filters/none.hpp"
-#include "lacuna/regression/pruners/keep_all.hpp"
-#include "lacuna/solvers/ols.hpp"
-#include "lacuna/trajectories/refiners/no_refiner.hpp"
-#include "lacuna/trajectories/refiners/trajectory_selection.hpp"
+#include "regression/filters/none.hpp"
+#include "regression/pruners/keep_all.hpp"
+#include "solvers/ols.hpp"
+#include "trajectories/refiners/no_refiner.hpp"
+#include "trajectories/refiners/trajectory_selection.hpp"
 
 namespace lacuna {
 namespace {

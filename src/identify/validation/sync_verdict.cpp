@@ -7,7 +7,7 @@
 #include "core/base/check.hpp"
 #include "core/base/text.hpp"
 #include "lacuna/core/numerics/sampled_signal.hpp"
-#include "lacuna/identify/validation/validation_options.hpp"
+#include "lacuna/identify/options.hpp"
 #include "lacuna/records/binding/gaps.hpp"
 #include "trajectories/windows/window_gap.hpp"
 

@@ -3,8 +3,8 @@
 
 #include <optional>
 
+#include "lacuna/identify/options.hpp"
 #include "lacuna/identify/pipeline/pipeline.hpp"
-#include "lacuna/identify/validation/validation_options.hpp"
 
 namespace lacuna {
 

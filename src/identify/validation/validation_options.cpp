@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/identify/validation/validation_options.hpp"
+#include "lacuna/identify/options.hpp"
 
 namespace lacuna {
 namespace {

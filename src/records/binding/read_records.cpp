@@ -6,10 +6,10 @@
 #include <iterator>
 #include <utility>
 
+#include "data/derivatives/finite_differences.hpp"
 #include "data/records/check_record.hpp"
 #include "data/records/text_field.hpp"
 #include "data/units/in_units.hpp"
-#include "lacuna/data/derivatives/finite_differences.hpp"
 #include "lacuna/data/formats/read.hpp"
 #include "lacuna/data/records/marks.hpp"
 #include "model_columns.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/regression/filters/abm.hpp"
+#include "regression/filters/abm.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -114,5 +114,7 @@ FilterResult Abm::do_filter(const LeastSquaresSystem& system, const RunContext& 
   }
   return result;
 }
+
+Stage<TermFilter> abm(const AbmOptions& options) { return Abm(options); }
 
 }  // namespace lacuna

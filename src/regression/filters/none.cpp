@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/regression/filters/none.hpp"
+#include "regression/filters/none.hpp"
 
 namespace lacuna {
 
@@ -15,5 +15,7 @@ FilterResult NoFilter::do_filter(const LeastSquaresSystem& system, const RunCont
   }
   return result;
 }
+
+Stage<TermFilter> no_filter(const NoFilterOptions& options) { return NoFilter(options); }
 
 }  // namespace lacuna

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/regression/filters/svd_filter.hpp"
+#include "regression/filters/svd_filter.hpp"
 
 #include <algorithm>
 
@@ -43,5 +43,7 @@ FilterResult SvdFilter::do_filter(const LeastSquaresSystem& system,
   }
   return result;
 }
+
+Stage<TermFilter> svd_filter(const SvdFilterOptions& options) { return SvdFilter(options); }
 
 }  // namespace lacuna

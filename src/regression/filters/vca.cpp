@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/regression/filters/vca.hpp"
+#include "regression/filters/vca.hpp"
 
 #include <algorithm>
 #include <map>
@@ -67,5 +67,7 @@ FilterResult Vca::do_filter(const LeastSquaresSystem& system, const RunContext& 
   std::sort(result.kept.begin(), result.kept.end());
   return result;
 }
+
+Stage<TermFilter> vca(const VcaOptions& options) { return Vca(options); }
 
 }  // namespace lacuna

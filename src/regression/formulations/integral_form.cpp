@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/regression/formulations/integral_form.hpp"
+#include "regression/formulations/integral_form.hpp"
 
 #include <algorithm>
 
@@ -21,6 +21,10 @@ LeastSquaresSystem IntegralForm::do_assemble(const Dataset& data, const TermLibr
 std::optional<Vector> IntegralForm::do_target_noise(const Dataset&,
                                                     const Vector& state_noise) const {
   return state_noise;
+}
+
+Stage<Formulation> integral_form(const IntegralFormOptions& options) {
+  return IntegralForm(options);
 }
 
 }  // namespace lacuna

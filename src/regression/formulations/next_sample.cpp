@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/regression/formulations/next_sample.hpp"
+#include "regression/formulations/next_sample.hpp"
 
 #include <algorithm>
 
@@ -60,5 +60,7 @@ std::optional<Vector> NextSample::do_target_noise(const Dataset&,
                                                   const Vector& state_noise) const {
   return state_noise;
 }
+
+Stage<Formulation> next_sample(const NextSampleOptions& options) { return NextSample(options); }
 
 }  // namespace lacuna

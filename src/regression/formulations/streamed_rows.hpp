@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "lacuna/data/derivatives/differentiator.hpp"
-#include "lacuna/data/long_records/record_stream.hpp"
+#include "lacuna/data/long_records.hpp"
 #include "regression/formulations/library_rows.hpp"
 
 namespace lacuna {

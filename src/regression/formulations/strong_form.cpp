@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/regression/formulations/strong_form.hpp"
+#include "regression/formulations/strong_form.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -112,5 +112,7 @@ std::shared_ptr<const Formulation> StrongForm::do_fit(
   fitted.differentiator = fitted_to(options().differentiator, data, noise);
   return std::make_shared<const StrongForm>(std::move(fitted));
 }
+
+Stage<Formulation> strong_form(const StrongFormOptions& options) { return StrongForm(options); }
 
 }  // namespace lacuna

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/regression/formulations/weak_form.hpp"
+#include "regression/formulations/weak_form.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -165,5 +165,7 @@ std::optional<Vector> WeakForm::do_target_noise(const Dataset&,
                                                 const Vector& state_noise) const {
   return state_noise;
 }
+
+Stage<Formulation> weak_form(const WeakFormOptions& options) { return WeakForm(options); }
 
 }  // namespace lacuna

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/regression/pruners/cross_validation.hpp"
+#include "regression/pruners/cross_validation.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -125,6 +125,10 @@ PruneResult CrossValidation::do_prune(const LeastSquaresSystem& system, Index ta
   }
   result.kept = state.active();
   return result;
+}
+
+Stage<TermPruner> cross_validation(const CrossValidationOptions& options) {
+  return CrossValidation(options);
 }
 
 }  // namespace lacuna

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/regression/pruners/information_criterion.hpp"
+#include "regression/pruners/information_criterion.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -74,6 +74,10 @@ PruneResult InformationCriterion::do_prune(const LeastSquaresSystem& system, Ind
   }
   path.removed.resize(best_steps);
   return path;
+}
+
+Stage<TermPruner> information_criterion(const InformationCriterionOptions& options) {
+  return InformationCriterion(options);
 }
 
 }  // namespace lacuna

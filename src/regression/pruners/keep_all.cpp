@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/regression/pruners/keep_all.hpp"
+#include "regression/pruners/keep_all.hpp"
 
 namespace lacuna {
 
@@ -7,5 +7,7 @@ PruneResult KeepAll::do_prune(const LeastSquaresSystem&, Index, const TermSet& a
                               const Regressor&, const RunContext&) const {
   return {active, {}};
 }
+
+Stage<TermPruner> keep_all(const KeepAllOptions& options) { return KeepAll(options); }
 
 }  // namespace lacuna

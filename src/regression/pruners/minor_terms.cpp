@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/regression/pruners/minor_terms.hpp"
+#include "regression/pruners/minor_terms.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -254,5 +254,7 @@ PruneResult MinorTerms::do_prune(const LeastSquaresSystem& system, Index target,
   result.removed = std::move(removed);
   return result;
 }
+
+Stage<TermPruner> minor_terms(const MinorTermsOptions& options) { return MinorTerms(options); }
 
 }  // namespace lacuna

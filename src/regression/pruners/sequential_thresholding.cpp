@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/regression/pruners/sequential_thresholding.hpp"
+#include "regression/pruners/sequential_thresholding.hpp"
 
 #include "regression/pruners/elimination.hpp"
 
@@ -37,6 +37,10 @@ PruneResult SequentialThresholding::do_prune(const LeastSquaresSystem& system, I
   }
   result.kept = state.active();
   return result;
+}
+
+Stage<TermPruner> sequential_thresholding(const SequentialThresholdingOptions& options) {
+  return SequentialThresholding(options);
 }
 
 }  // namespace lacuna

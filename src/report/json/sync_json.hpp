@@ -3,7 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "lacuna/report/pages/sync_report.hpp"
+#include "lacuna/report/reports.hpp"
 
 namespace lacuna {
 

@@ -4,7 +4,7 @@
 #include <limits>
 
 #include "core/base/text.hpp"
-#include "lacuna/report/pages/bench_report.hpp"
+#include "lacuna/report/reports.hpp"
 #include "report/pages/pages.hpp"
 #include "report/plot/heat_figure.hpp"
 

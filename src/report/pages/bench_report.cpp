@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/report/pages/bench_report.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -9,6 +7,7 @@
 
 #include "core/base/text.hpp"
 #include "folded_text.hpp"
+#include "lacuna/report/reports.hpp"
 
 namespace lacuna {
 namespace {

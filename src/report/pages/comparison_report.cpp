@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/report/pages/comparison_report.hpp"
-
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "core/base/json.hpp"
 #include "folded_text.hpp"
+#include "lacuna/report/reports.hpp"
 #include "readable.hpp"
 
 namespace lacuna {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "lacuna/diagnose/hints/hints.hpp"
+#include "diagnose/hints/hints.hpp"
 #include "lacuna/records/binding/bound_records.hpp"
 
 namespace lacuna {

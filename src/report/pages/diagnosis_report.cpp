@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/report/pages/diagnosis_report.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -9,6 +7,7 @@
 #include "core/statistics/determined.hpp"
 #include "diagnosis_sentences.hpp"
 #include "lacuna/model/files/model_file.hpp"
+#include "lacuna/report/reports.hpp"
 #include "report/json/adequacy_json.hpp"
 #include "report/json/stages_json.hpp"
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "lacuna/diagnose/journey/diagnosis.hpp"
+#include "lacuna/diagnose/diagnosis.hpp"
 
 namespace lacuna {
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "diagnosis_sentences.hpp"
-#include "lacuna/report/pages/diagnosis_report.hpp"
+#include "lacuna/report/reports.hpp"
 
 namespace lacuna {
 

@@ -4,7 +4,7 @@
 
 #include "core/base/text.hpp"
 #include "diagnosis_sentences.hpp"
-#include "lacuna/report/pages/diagnosis_report.hpp"
+#include "lacuna/report/reports.hpp"
 
 namespace lacuna {
 namespace {

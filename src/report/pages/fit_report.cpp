@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/report/pages/fit_report.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -12,6 +10,7 @@
 #include "lacuna/core/statistics/interval.hpp"
 #include "lacuna/model/equations/rounding.hpp"
 #include "lacuna/model/files/model_file.hpp"
+#include "lacuna/report/reports.hpp"
 #include "report/json/adequacy_json.hpp"
 #include "report/json/bands_json.hpp"
 #include "report/json/stages_json.hpp"

@@ -11,7 +11,7 @@
 #include "diagnosis_sentences.hpp"
 #include "folded_text.hpp"
 #include "lacuna/core/base/error.hpp"
-#include "lacuna/report/pages/diagnosis_report.hpp"
+#include "lacuna/report/reports.hpp"
 
 namespace lacuna {
 namespace {

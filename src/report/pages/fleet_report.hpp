@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "lacuna/diagnose/journey/diagnosis.hpp"
+#include "lacuna/diagnose/diagnosis.hpp"
 
 namespace lacuna {
 

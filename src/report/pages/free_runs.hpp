@@ -3,9 +3,9 @@
 
 #include <vector>
 
+#include "diagnose/journey/gap.hpp"
 #include "lacuna/core/base/run_context.hpp"
 #include "lacuna/data/records/dataset.hpp"
-#include "lacuna/diagnose/journey/gap.hpp"
 #include "lacuna/model/equations/ode_model.hpp"
 
 namespace lacuna {

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "lacuna/report/pages/identification_report.hpp"
+#include "lacuna/report/reports.hpp"
 
 namespace lacuna {
 

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/report/pages/identification_report.hpp"
-
 #include <nlohmann/json.hpp>
 
 #include "core/base/json.hpp"
 #include "invariant_text.hpp"
 #include "lacuna/model/files/model_file.hpp"
+#include "lacuna/report/reports.hpp"
 #include "report/json/adequacy_json.hpp"
 #include "report/json/stage_json.hpp"
 #include "report/json/stages_json.hpp"

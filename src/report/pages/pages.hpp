@@ -2,10 +2,9 @@
 #pragma once
 
 #include "lacuna/data/records/dataset.hpp"
-#include "lacuna/diagnose/journey/diagnosis.hpp"
+#include "lacuna/diagnose/diagnosis.hpp"
 #include "lacuna/identify/bench/bench.hpp"
-#include "lacuna/report/pages/identification_report.hpp"
-#include "lacuna/report/pages/sync_report.hpp"
+#include "lacuna/report/reports.hpp"
 #include "lacuna/trajectories/fit/fit.hpp"
 #include "report/pages/page.hpp"
 

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/report/pages/rivals_report.hpp"
-
 #include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "core/base/json.hpp"
 #include "core/base/text.hpp"
 #include "folded_text.hpp"
+#include "lacuna/report/reports.hpp"
 
 namespace lacuna {
 namespace {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "lacuna/diagnose/journey/gap.hpp"
+#include "diagnose/journey/gap.hpp"
 #include "lacuna/trajectories/fit/fit.hpp"
 #include "report/plot/figure.hpp"
 

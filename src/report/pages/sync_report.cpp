@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/report/pages/sync_report.hpp"
-
 #include <sstream>
 
 #include "core/base/json.hpp"
 #include "core/base/text.hpp"
+#include "lacuna/report/reports.hpp"
 #include "report/json/adequacy_json.hpp"
 #include "report/json/stages_json.hpp"
 #include "report/json/sync_json.hpp"

@@ -3,7 +3,7 @@
 
 #include "core/base/text.hpp"
 #include "lacuna/core/base/error.hpp"
-#include "lacuna/report/plans/plan_report.hpp"
+#include "lacuna/report/reports.hpp"
 #include "report/pages/readable.hpp"
 
 namespace lacuna {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "lacuna/core/base/admission.hpp"
-#include "lacuna/report/plans/plan_report.hpp"
+#include "lacuna/report/reports.hpp"
 #include "report/pages/page.hpp"
 
 namespace lacuna {

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/report/plans/plan_report.hpp"
-
 #include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "core/base/json.hpp"
 #include "core/base/text.hpp"
 #include "lacuna/core/statistics/interval.hpp"
+#include "lacuna/report/reports.hpp"
 #include "plan_parts.hpp"
 #include "report/json/stages_json.hpp"
 

@@ -6,8 +6,8 @@
 #include <limits>
 #include <utility>
 
+#include "dynamics/integration/butcher_tableau.hpp"
 #include "fit_steps.hpp"
-#include "lacuna/dynamics/integration/butcher_tableau.hpp"
 
 namespace lacuna {
 namespace {

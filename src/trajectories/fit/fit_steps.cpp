@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "lacuna/dynamics/integration/butcher_tableau.hpp"
+#include "dynamics/integration/butcher_tableau.hpp"
 
 namespace lacuna {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "lacuna/data/records/dataset.hpp"
 #include "lacuna/data/records/noise.hpp"
-#include "lacuna/trajectories/refiners/growing_noise.hpp"
+#include "lacuna/trajectories/refiners.hpp"
 
 namespace lacuna {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/trajectories/refiners/trajectory_selection.hpp"
+#include "trajectories/refiners/trajectory_selection.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -408,6 +408,10 @@ RefinedModel TrajectorySelection::do_refine(const RefinerTask& task,
   note_growing_noise(search, result.notes);
   note_negligible(left_out, task.library, result);
   return result;
+}
+
+Stage<Refiner> trajectory_selection(const TrajectorySelectionOptions& options) {
+  return TrajectorySelection(options);
 }
 
 }  // namespace lacuna

@@ -3,8 +3,8 @@
 
 #include <vector>
 
+#include "dynamics/integration/butcher_tableau.hpp"
 #include "lacuna/core/numerics/sampled_signal.hpp"
-#include "lacuna/dynamics/integration/butcher_tableau.hpp"
 
 namespace lacuna {
 

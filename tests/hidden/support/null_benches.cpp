@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "core/base/random.hpp"
+#include "data/derivatives/finite_differences.hpp"
 #include "hidden/support/twins.hpp"
-#include "lacuna/data/derivatives/finite_differences.hpp"
 #include "lacuna/records/binding/model_view.hpp"
 
 namespace lacuna::hidden {

@@ -3,8 +3,8 @@
 
 #include <cmath>
 
+#include "dynamics/integration/runge_kutta.hpp"
 #include "lacuna/dynamics/integration/record_input.hpp"
-#include "lacuna/dynamics/integration/runge_kutta.hpp"
 #include "lacuna/dynamics/integration/simulate.hpp"
 
 namespace lacuna::hidden {

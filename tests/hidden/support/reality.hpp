@@ -3,8 +3,8 @@
 
 #include <optional>
 
+#include "diagnose/journey/gap.hpp"
 #include "hidden/support/records.hpp"
-#include "lacuna/diagnose/journey/gap.hpp"
 
 namespace lacuna::hidden {
 

@@ -4,8 +4,8 @@
 #include <algorithm>
 
 #include "core/base/random.hpp"
+#include "dynamics/integration/runge_kutta.hpp"
 #include "lacuna/core/base/error.hpp"
-#include "lacuna/dynamics/integration/runge_kutta.hpp"
 #include "lacuna/dynamics/integration/simulate.hpp"
 
 namespace lacuna::hidden {

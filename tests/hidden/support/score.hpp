@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "hidden/support/hidden_case.hpp"
-#include "lacuna/diagnose/journey/diagnosis.hpp"
+#include "lacuna/diagnose/diagnosis.hpp"
 
 namespace lacuna::hidden {
 

@@ -2,7 +2,7 @@
 // Effects that bend or limit a characteristic.
 #include <gtest/gtest.h>
 
-#include "lacuna/effects/families.hpp"
+#include "effects/families.hpp"
 #include "lacuna/effects/patterns.hpp"
 #include "support/effect_forms.hpp"
 

@@ -2,7 +2,7 @@
 // Friction and polynomials as effects.
 #include <gtest/gtest.h>
 
-#include "lacuna/effects/families.hpp"
+#include "effects/families.hpp"
 #include "support/effect_forms.hpp"
 
 namespace lacuna {

@@ -2,7 +2,7 @@
 // Effects that remember, effects of time, effects of the recording.
 #include <gtest/gtest.h>
 
-#include "lacuna/effects/families.hpp"
+#include "effects/families.hpp"
 #include "lacuna/effects/terms.hpp"
 #include "support/effect_forms.hpp"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The best subset, and what many draws of rows agree on.
-#include "lacuna/solvers/best_subset.hpp"
+#include "solvers/best_subset.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 #include <limits>
 #include <map>
 
-#include "lacuna/solvers/ensemble.hpp"
+#include "solvers/ensemble.hpp"
 #include "solvers/subset_fit.hpp"
 #include "support/sparse_problem.hpp"
 #include "unit/solvers/random_rows.hpp"

@@ -3,11 +3,11 @@
 #include <gtest/gtest.h>
 
 #include "lacuna/core/base/error.hpp"
-#include "lacuna/solvers/irls.hpp"
-#include "lacuna/solvers/irls_l1.hpp"
-#include "lacuna/solvers/l1/l1_ceres.hpp"
-#include "lacuna/solvers/l1/l1_coordinate_descent.hpp"
-#include "lacuna/solvers/l1/l1_nlopt.hpp"
+#include "solvers/irls.hpp"
+#include "solvers/irls_l1.hpp"
+#include "solvers/l1/l1_ceres.hpp"
+#include "solvers/l1/l1_coordinate_descent.hpp"
+#include "solvers/l1/l1_nlopt.hpp"
 #include "solvers/l1/l1_optimality.hpp"
 #include "support/l1_problems.hpp"
 #include "support/sparse_problem.hpp"

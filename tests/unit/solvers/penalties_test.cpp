@@ -4,10 +4,10 @@
 
 #include <Eigen/Cholesky>
 
-#include "lacuna/solvers/elastic_net.hpp"
-#include "lacuna/solvers/entropic.hpp"
-#include "lacuna/solvers/frols.hpp"
-#include "lacuna/solvers/stlsq.hpp"
+#include "solvers/elastic_net.hpp"
+#include "solvers/entropic.hpp"
+#include "solvers/frols.hpp"
+#include "solvers/stlsq.hpp"
 #include "support/sparse_problem.hpp"
 #include "unit/solvers/random_rows.hpp"
 
@@ -21,7 +21,7 @@ TEST(ElasticNet, OrthonormalColumnsAreThresholdedAndShrunk) {
   // min (c - z)^2 + l1 |z| + l2/2 z^2 has z = soft(c, l1/2) / (1 + l2/2).
   const Vector c = (Vector(4) << 3.0, -0.4, 0.6, -2.0).finished();
   const Vector z =
-      elastic_net(Matrix::Identity(4, 4), c, {Vector::Ones(4), 0.5}, Vector::Zero(4));
+      elastic_net_minimum(Matrix::Identity(4, 4), c, {Vector::Ones(4), 0.5}, Vector::Zero(4));
   const Vector expected = (Vector(4) << 2.5 / 1.25, 0.0, 0.1 / 1.25, -1.5 / 1.25).finished();
   EXPECT_TRUE(z.isApprox(expected, 1e-9)) << z;
 }
@@ -34,8 +34,8 @@ TEST(ElasticNet, FulfilsTheOptimalityConditions) {
   Vector l1(12);
   for (double& entry : l1) entry = random.uniform(2.0, 6.0);
   const ElasticPenalty penalty{l1, 0.3};
-  const Vector z =
-      elastic_net(problem.triangle(), problem.projected_target(), penalty, Vector::Zero(12));
+  const Vector z = elastic_net_minimum(problem.triangle(), problem.projected_target(), penalty,
+                                       Vector::Zero(12));
   const Vector g = 2.0 * problem.triangle().transpose() *
                        (problem.projected_target() - problem.triangle() * z) -
                    penalty.l2 * z;

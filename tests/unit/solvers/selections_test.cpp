@@ -5,9 +5,9 @@
 
 #include <Eigen/Dense>
 
-#include "lacuna/solvers/frols.hpp"
-#include "lacuna/solvers/sr3.hpp"
-#include "lacuna/solvers/stlsq.hpp"
+#include "solvers/frols.hpp"
+#include "solvers/sr3.hpp"
+#include "solvers/stlsq.hpp"
 #include "support/rossler_system.hpp"
 #include "support/sparse_problem.hpp"
 #include "unit/solvers/random_rows.hpp"

@@ -41,8 +41,9 @@ class StageInterface {
 };
 
 /// Value handle on a stage: shared, immutable, never null; cheap to copy, safe to share
-/// between threads. Made from any concrete stage: `Stage<Regressor> r = Stlsq{{.threshold =
-/// 0.1}};`
+/// between threads. Made by the functions of the shelves, `Stage<Regressor> r =
+/// stlsq({.threshold = 0.1});`, by Registry::make(), and from any object of a class of one's
+/// own.
 template <class Interface>
 class Stage {
  public:
@@ -59,6 +60,11 @@ class Stage {
 
   const Interface* operator->() const noexcept { return pointer_.get(); }  ///< the stage
   const Interface& operator*() const noexcept { return *pointer_; }        ///< the stage
+
+  /// The stage, where a function takes one for the time of a call.
+  operator const Interface&() const noexcept {  // NOLINT(google-explicit-constructor): as above
+    return *pointer_;
+  }
 
   /// The shared object, for code that handles stages of any kind.
   const std::shared_ptr<const Interface>& shared() const noexcept { return pointer_; }

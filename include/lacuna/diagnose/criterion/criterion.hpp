@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "lacuna/core/base/stage.hpp"
+#include "lacuna/core/base/options.hpp"
 #include "lacuna/core/base/types.hpp"
 
 namespace lacuna {
@@ -34,5 +34,20 @@ class Criterion : public StageInterface {
   /// Never negative, and no less with more parameters or choices.
   virtual double do_penalty(const Evidence& evidence) const = 0;
 };
+
+/// Options of extended_bic().
+struct ExtendedBicOptions {
+  static constexpr StageInfo kInfo{
+      "extended-bic",
+      "Bayesian information criterion with a penalty for choosing the best of many",
+      "Schwarz, Ann. Statist. 6 (1978); Chen and Chen, Biometrika 95 (2008)"};
+  double choice = 1.0;  ///< gamma of Chen and Chen; 0: the plain criterion
+  void describe(OptionVisitor& v);
+};
+
+/// deviance + parameters log n + 2 gamma sum log(tried): Chen and Chen (2008), eq. (1), with
+/// the number of candidates that each chosen effect was the best of.
+/// @throws ConfigError when an option is out of its range.
+Stage<Criterion> extended_bic(const ExtendedBicOptions& options = {});
 
 }  // namespace lacuna

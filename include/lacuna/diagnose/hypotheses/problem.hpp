@@ -8,31 +8,11 @@
 #include <vector>
 
 #include "lacuna/core/base/run_context.hpp"
-#include "lacuna/core/base/stages_done.hpp"
 #include "lacuna/diagnose/candidates/explanation.hpp"
-#include "lacuna/diagnose/criterion/extended_bic.hpp"
-#include "lacuna/diagnose/criterion/options.hpp"
-#include "lacuna/effects/families.hpp"
-#include "lacuna/forms/candidate/effect.hpp"
+#include "lacuna/diagnose/options.hpp"
 #include "lacuna/records/binding/bound_records.hpp"
 
 namespace lacuna {
-
-class Hypothesis;
-
-/// The hypotheses of lacuna in the order in which they are judged.
-std::vector<Stage<Hypothesis>> standard_hypotheses();
-
-/// How a model is diagnosed.
-struct DiagnosisOptions {
-  std::vector<Stage<Effect>> effects = standard_effects();  ///< that are tried; empty: none
-  std::vector<CoefficientPrior> tolerances = {};            ///< of nominal coefficients
-  std::vector<Stage<Hypothesis>> hypotheses = standard_hypotheses();  ///< that are judged
-  Stage<Criterion> criterion = ExtendedBic{};  ///< by which they are judged
-  DecisionOptions decision = {};               ///< thresholds
-  bool fill_gap = false;  ///< structure without a name gets a black-box residual function
-  Thoroughness effort = Thoroughness::Normal;  ///< see diagnose()
-};
 
 /// What searches have come to, so that no other one does the same again.
 struct SearchMemory;

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "lacuna/identify/options.hpp"
 #include "lacuna/identify/pipeline/pipeline.hpp"
-#include "lacuna/identify/validation/validation_options.hpp"
 
 namespace lacuna {
 

@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "lacuna/dynamics/integration/automatic.hpp"
 #include "lacuna/dynamics/integration/synchroniser.hpp"
-#include "lacuna/effects/families.hpp"
-#include "lacuna/identify/journey/identification_options.hpp"
+#include "lacuna/dynamics/integrators.hpp"
+#include "lacuna/effects/effect_family.hpp"
+#include "lacuna/identify/options.hpp"
 #include "lacuna/identify/pipeline/presets.hpp"
 
 namespace lacuna {
@@ -32,7 +32,7 @@ struct IdentificationTask {
   LibraryScope library = LibraryScope::Extended;
   Measured measured = Measured::AllStates;
   std::vector<Stage<Effect>> effects = standard_effects();  ///< whose basis functions are tried
-  Stage<Integrator> integrator = Automatic();               ///< of the synchronisation
+  Stage<Integrator> integrator = automatic();               ///< of the synchronisation
   IdentificationOptions options = {};
 
   /// Records to judge the model by, in its variables; without them a quarter of the samples is

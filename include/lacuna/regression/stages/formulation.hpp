@@ -6,7 +6,7 @@
 
 #include "lacuna/core/base/run_context.hpp"
 #include "lacuna/core/base/stage.hpp"
-#include "lacuna/data/long_records/record_stream.hpp"
+#include "lacuna/data/long_records.hpp"
 #include "lacuna/model/equations/ode_model.hpp"
 #include "lacuna/model/equations/term.hpp"
 #include "lacuna/regression/linear/least_squares_system.hpp"

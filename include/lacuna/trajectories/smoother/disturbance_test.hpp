@@ -8,15 +8,6 @@
 
 namespace lacuna {
 
-/// How large the residual of one equation is: its disturbance.
-struct EquationStructure {
-  Index equation = 0;
-  double drop = 0.0;      ///< of the deviance when the equation may be disturbed
-  double sigma = 0.0;     ///< significance of that
-  double rms = 0.0;       ///< of the smoothed disturbance, state unit per time unit
-  double relative = 0.0;  ///< rms over that of the state's rate of change
-};
-
 /// Tests for each equation whether it holds exactly: the likelihood ratio of its disturbance
 /// against none, the other variances fitted again. Half chi-squared with one degree of freedom
 /// under the model, as a variance cannot be negative (Self and Liang, JASA 82 (1987)).

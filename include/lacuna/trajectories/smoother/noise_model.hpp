@@ -47,6 +47,15 @@ struct NoiseModel {
   double rounded(std::size_t state) const noexcept;
 };
 
+/// How large the residual of one equation is: its disturbance.
+struct EquationStructure {
+  Index equation = 0;
+  double drop = 0.0;      ///< of the deviance when the equation may be disturbed
+  double sigma = 0.0;     ///< significance of that
+  double rms = 0.0;       ///< of the smoothed disturbance, state unit per time unit
+  double relative = 0.0;  ///< rms over that of the state's rate of change
+};
+
 /// A standard deviation of a noise model that is fitted.
 struct NoiseEntry {
   enum class Kind { Disturbance, White, Coloured } kind = Kind::Disturbance;

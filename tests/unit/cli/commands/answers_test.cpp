@@ -2,7 +2,7 @@
 
 #include "cli/commands/answers.hpp"
 
-#include "lacuna/bases/expressions.hpp"
+#include "bases/expressions.hpp"
 #include "report/pages/folded_text.hpp"
 #include "unit/cli/commands/records.hpp"
 

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "lacuna/cli/configuration/configuration.hpp"
 
-#include "lacuna/bases/expressions.hpp"
-#include "lacuna/bases/monomials.hpp"
-#include "lacuna/data/derivatives/finite_differences.hpp"
-#include "lacuna/regression/formulations/strong_form.hpp"
-#include "lacuna/regression/pruners/minor_terms.hpp"
-#include "lacuna/solvers/irls_l1.hpp"
-#include "lacuna/solvers/l1/l1_nlopt.hpp"
-#include "lacuna/solvers/stlsq.hpp"
+#include "bases/expressions.hpp"
+#include "bases/monomials.hpp"
+#include "data/derivatives/finite_differences.hpp"
+#include "regression/formulations/strong_form.hpp"
+#include "regression/pruners/minor_terms.hpp"
 #include "report/json/stage_json.hpp"
+#include "solvers/irls_l1.hpp"
+#include "solvers/l1/l1_nlopt.hpp"
+#include "solvers/stlsq.hpp"
 #include "support/expect_error.hpp"
 #include "support/temporary_folder.hpp"
 

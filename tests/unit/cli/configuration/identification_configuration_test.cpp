@@ -5,8 +5,8 @@
 
 #include "cli/configuration/description.hpp"
 #include "cli/configuration/diagnosis_configuration.hpp"
+#include "diagnose/criterion/extended_bic.hpp"
 #include "lacuna/cli/configuration/registry.hpp"
-#include "lacuna/diagnose/criterion/extended_bic.hpp"
 #include "support/expect_error.hpp"
 
 namespace lacuna {

@@ -8,9 +8,9 @@
 #include "cli/configuration/variants.hpp"
 #include "lacuna/cli/configuration/configuration.hpp"
 #include "lacuna/regression/stages/basis.hpp"
-#include "lacuna/solvers/irls_l1.hpp"
-#include "lacuna/solvers/ols.hpp"
-#include "lacuna/solvers/stlsq.hpp"
+#include "solvers/irls_l1.hpp"
+#include "solvers/ols.hpp"
+#include "solvers/stlsq.hpp"
 #include "support/expect_error.hpp"
 
 namespace lacuna {

@@ -7,14 +7,14 @@
 #include <numbers>
 
 #include "core/base/random.hpp"
+#include "data/derivatives/automatic_differentiator.hpp"
+#include "data/derivatives/finite_differences.hpp"
+#include "data/derivatives/local_polynomial.hpp"
+#include "data/derivatives/savitzky_golay.hpp"
+#include "data/derivatives/smoothing_spline.hpp"
+#include "data/derivatives/spectral.hpp"
 #include "grids.hpp"
 #include "lacuna/core/base/options.hpp"
-#include "lacuna/data/derivatives/automatic_differentiator.hpp"
-#include "lacuna/data/derivatives/finite_differences.hpp"
-#include "lacuna/data/derivatives/local_polynomial.hpp"
-#include "lacuna/data/derivatives/savitzky_golay.hpp"
-#include "lacuna/data/derivatives/smoothing_spline.hpp"
-#include "lacuna/data/derivatives/spectral.hpp"
 
 namespace lacuna {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/data/derivatives/finite_differences.hpp"
+#include "data/derivatives/finite_differences.hpp"
 
 #include <gtest/gtest.h>
 

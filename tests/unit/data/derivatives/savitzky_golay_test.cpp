@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/data/derivatives/savitzky_golay.hpp"
+#include "data/derivatives/savitzky_golay.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,11 +8,11 @@
 #include <cmath>
 
 #include "core/base/random.hpp"
+#include "data/derivatives/local_polynomial.hpp"
 #include "data/derivatives/moving_polynomial.hpp"
 #include "data/derivatives/stencil.hpp"
 #include "grids.hpp"
 #include "lacuna/core/base/error.hpp"
-#include "lacuna/data/derivatives/local_polynomial.hpp"
 
 namespace lacuna {
 namespace {

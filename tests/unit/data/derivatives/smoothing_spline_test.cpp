@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/data/derivatives/smoothing_spline.hpp"
+#include "data/derivatives/smoothing_spline.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,10 +7,10 @@
 #include "data/derivatives/penalised_fit.hpp"
 #include "data/derivatives/sample_differences.hpp"
 #include "data/derivatives/uniform_spline.hpp"
+#include "data/derivatives/whittaker.hpp"
 #include "data/derivatives/wiener_path.hpp"
 #include "grids.hpp"
 #include "lacuna/core/base/error.hpp"
-#include "lacuna/data/derivatives/whittaker.hpp"
 
 namespace lacuna {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/data/derivatives/trend_filter.hpp"
+#include "data/derivatives/trend_filter.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,9 +9,9 @@
 #include "data/derivatives/l1_trend.hpp"
 #include "data/derivatives/sample_differences.hpp"
 #include "data/derivatives/trend_choice.hpp"
+#include "data/derivatives/whittaker.hpp"
 #include "grids.hpp"
 #include "lacuna/core/base/error.hpp"
-#include "lacuna/data/derivatives/whittaker.hpp"
 
 namespace lacuna {
 namespace {

@@ -4,10 +4,10 @@
 #include <gtest/gtest.h>
 
 #include "core/base/random.hpp"
+#include "data/derivatives/kalman.hpp"
+#include "data/derivatives/smoothing_spline.hpp"
 #include "grids.hpp"
 #include "lacuna/core/base/error.hpp"
-#include "lacuna/data/derivatives/kalman.hpp"
-#include "lacuna/data/derivatives/smoothing_spline.hpp"
 
 namespace lacuna {
 namespace {

@@ -15,7 +15,7 @@
 #include "core/base/text.hpp"
 #include "core/files/file_bytes.hpp"
 #include "lacuna/data/formats/read.hpp"
-#include "lacuna/data/long_records/read_stream.hpp"
+#include "lacuna/data/long_records.hpp"
 #include "support/temporary_folder.hpp"
 #include "support/written_arrays.hpp"
 #if HAS_HDF5

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/data/long_records/read_stream.hpp"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -8,20 +6,21 @@
 #include <fstream>
 #include <limits>
 
+#include "bases/monomials.hpp"
 #include "core/base/random.hpp"
 #include "core/base/text.hpp"
 #include "core/files/file_bytes.hpp"
 #include "data/formats/npy.hpp"
-#include "lacuna/bases/monomials.hpp"
+#include "dynamics/integration/runge_kutta.hpp"
 #include "lacuna/core/base/error.hpp"
 #include "lacuna/data/formats/read.hpp"
-#include "lacuna/dynamics/integration/runge_kutta.hpp"
+#include "lacuna/data/long_records.hpp"
 #include "lacuna/dynamics/integration/simulate.hpp"
 #include "lacuna/dynamics/test_systems/test_systems.hpp"
 #include "lacuna/identify/pipeline/presets.hpp"
 #include "lacuna/model/files/model_file.hpp"
-#include "lacuna/regression/formulations/next_sample.hpp"
-#include "lacuna/solvers/ols.hpp"
+#include "regression/formulations/next_sample.hpp"
+#include "solvers/ols.hpp"
 #include "support/expect_error.hpp"
 #include "support/maps.hpp"
 #include "support/temporary_folder.hpp"

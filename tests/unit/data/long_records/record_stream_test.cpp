@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/data/long_records/record_stream.hpp"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <memory>
 #include <vector>
 
-#include "lacuna/data/long_records/sample_source.hpp"
+#include "lacuna/data/long_records.hpp"
 #include "unit/data/long_records/long_records.hpp"
 
 namespace lacuna {

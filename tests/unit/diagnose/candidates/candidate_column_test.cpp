@@ -11,7 +11,7 @@
 #include "diagnose/candidates/fit_memory.hpp"
 #include "diagnose/candidates/name_table.hpp"
 #include "diagnose/candidates/screening.hpp"
-#include "lacuna/effects/families.hpp"
+#include "effects/families.hpp"
 #include "support/assimilated_oscillator.hpp"
 #include "support/effect_forms.hpp"
 

@@ -8,11 +8,11 @@
 #include <limits>
 
 #include "diagnose/criterion/effect_parts.hpp"
+#include "diagnose/criterion/extended_bic.hpp"
 #include "diagnose/criterion/holdout.hpp"
 #include "diagnose/criterion/shape_bounds.hpp"
 #include "lacuna/core/base/options.hpp"
-#include "lacuna/diagnose/criterion/extended_bic.hpp"
-#include "lacuna/diagnose/criterion/options.hpp"
+#include "lacuna/diagnose/options.hpp"
 #include "lacuna/trajectories/smoother/disturbance_test.hpp"
 #include "support/assimilated_oscillator.hpp"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What records say of units, signs and motions before anything is searched.
-#include "lacuna/diagnose/hints/hints.hpp"
+#include "diagnose/hints/hints.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

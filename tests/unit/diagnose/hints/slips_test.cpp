@@ -8,13 +8,13 @@
 #include <numbers>
 #include <string>
 
+#include "data/derivatives/finite_differences.hpp"
 #include "diagnose/hints/coefficient_pattern.hpp"
 #include "diagnose/hints/slip_hints.hpp"
 #include "diagnose/hints/slip_search.hpp"
 #include "diagnose/hints/unit_hints.hpp"
 #include "diagnose/hints/window_rates.hpp"
-#include "lacuna/data/derivatives/finite_differences.hpp"
-#include "lacuna/dynamics/integration/runge_kutta.hpp"
+#include "dynamics/integration/runge_kutta.hpp"
 #include "lacuna/dynamics/test_systems/measurement.hpp"
 #include "lacuna/model/files/ode_text.hpp"
 #include "lacuna/records/binding/embedding.hpp"

@@ -6,11 +6,11 @@
 
 #include <cmath>
 
+#include "diagnose/criterion/extended_bic.hpp"
 #include "diagnose/hypotheses/broken_identity.hpp"
 #include "diagnose/hypotheses/channel_forms.hpp"
 #include "diagnose/hypotheses/named_effects.hpp"
-#include "lacuna/diagnose/criterion/extended_bic.hpp"
-#include "lacuna/diagnose/journey/diagnose.hpp"
+#include "lacuna/diagnose/diagnose.hpp"
 #include "support/asked.hpp"
 #include "support/assimilated_oscillator.hpp"
 #include "support/diagnosis_scope.hpp"

@@ -11,7 +11,7 @@
 #include "core/base/random.hpp"
 #include "diagnose/hypotheses/input_noise.hpp"
 #include "diagnose/hypotheses/sensor_fault.hpp"
-#include "lacuna/diagnose/journey/diagnose.hpp"
+#include "lacuna/diagnose/diagnose.hpp"
 #include "records/channels/interpolated.hpp"
 #include "support/asked.hpp"
 #include "support/assimilated_oscillator.hpp"

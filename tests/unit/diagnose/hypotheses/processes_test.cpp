@@ -9,7 +9,7 @@
 #include "diagnose/hypotheses/input_noise.hpp"
 #include "diagnose/hypotheses/shared_process.hpp"
 #include "diagnose/hypotheses/unmeasured_input.hpp"
-#include "lacuna/effects/families.hpp"
+#include "effects/families.hpp"
 #include "lacuna/model/files/ode_text.hpp"
 #include "support/asked.hpp"
 #include "support/assimilated_oscillator.hpp"

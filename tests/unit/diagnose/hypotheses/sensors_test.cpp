@@ -8,7 +8,7 @@
 
 #include "core/base/random.hpp"
 #include "diagnose/hypotheses/sensor_fault.hpp"
-#include "lacuna/diagnose/journey/diagnose.hpp"
+#include "lacuna/diagnose/diagnose.hpp"
 #include "lacuna/effects/effect_family.hpp"
 #include "lacuna/model/files/ode_text.hpp"
 #include "support/asked.hpp"

@@ -9,7 +9,7 @@
 #include "diagnose/journey/answer.hpp"
 #include "diagnose/journey/coefficient_changes.hpp"
 #include "diagnose/journey/identifiability.hpp"
-#include "lacuna/diagnose/journey/diagnose.hpp"
+#include "lacuna/diagnose/diagnose.hpp"
 #include "lacuna/model/files/ode_text.hpp"
 #include "support/asked.hpp"
 #include "support/assimilated_oscillator.hpp"

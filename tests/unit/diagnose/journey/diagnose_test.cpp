@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/diagnose/journey/diagnose.hpp"
+#include "lacuna/diagnose/diagnose.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,10 +8,10 @@
 #include <utility>
 
 #include "core/base/random.hpp"
+#include "data/derivatives/finite_differences.hpp"
+#include "effects/families.hpp"
 #include "lacuna/core/base/error.hpp"
-#include "lacuna/data/derivatives/finite_differences.hpp"
 #include "lacuna/data/records/marks.hpp"
-#include "lacuna/effects/families.hpp"
 #include "lacuna/model/files/ode_text.hpp"
 #include "lacuna/records/binding/model_view.hpp"
 #include "support/assimilated_oscillator.hpp"

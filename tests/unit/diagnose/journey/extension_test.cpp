@@ -5,8 +5,8 @@
 #include <algorithm>
 
 #include "cli/configuration/diagnosis_configuration.hpp"
-#include "lacuna/diagnose/journey/diagnose.hpp"
-#include "lacuna/report/pages/diagnosis_report.hpp"
+#include "lacuna/diagnose/diagnose.hpp"
+#include "lacuna/report/reports.hpp"
 #include "support/assimilated_oscillator.hpp"
 #include "support/own_effects.hpp"
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/diagnose/journey/gap.hpp"
+#include "diagnose/journey/gap.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "lacuna/diagnose/journey/diagnose.hpp"
+#include "lacuna/diagnose/diagnose.hpp"
 #include "support/assimilated_oscillator.hpp"
 #include "support/own_effects.hpp"
 

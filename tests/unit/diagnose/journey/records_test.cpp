@@ -7,14 +7,14 @@
 #include <numbers>
 
 #include "core/base/random.hpp"
+#include "data/derivatives/finite_differences.hpp"
 #include "diagnose/journey/explained_records.hpp"
+#include "diagnose/journey/fitted_outputs.hpp"
 #include "diagnose/journey/fitted_start.hpp"
+#include "diagnose/journey/locate.hpp"
 #include "diagnose/journey/output_channels.hpp"
-#include "lacuna/data/derivatives/finite_differences.hpp"
 #include "lacuna/data/records/marks.hpp"
-#include "lacuna/diagnose/journey/diagnose.hpp"
-#include "lacuna/diagnose/journey/fitted_outputs.hpp"
-#include "lacuna/diagnose/journey/locate.hpp"
+#include "lacuna/diagnose/diagnose.hpp"
 #include "lacuna/model/files/ode_text.hpp"
 #include "lacuna/records/binding/model_view.hpp"
 #include "support/assimilated_oscillator.hpp"

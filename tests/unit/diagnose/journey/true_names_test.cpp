@@ -11,9 +11,9 @@
 
 #include "cli/configuration/diagnosis_configuration.hpp"
 #include "core/base/random.hpp"
+#include "data/derivatives/finite_differences.hpp"
 #include "lacuna/cli/configuration/registry.hpp"
-#include "lacuna/data/derivatives/finite_differences.hpp"
-#include "lacuna/diagnose/journey/diagnose.hpp"
+#include "lacuna/diagnose/diagnose.hpp"
 #include "lacuna/effects/effect_family.hpp"
 #include "lacuna/effects/forms.hpp"
 #include "lacuna/effects/patterns.hpp"

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "lacuna/dynamics/integration/runge_kutta.hpp"
+#include "dynamics/integration/runge_kutta.hpp"
 #include "lacuna/model/files/ode_text.hpp"
 
 namespace lacuna {

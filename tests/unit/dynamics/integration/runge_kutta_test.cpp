@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Integrators with fixed and with their own steps, and stiff ones.
-#include "lacuna/dynamics/integration/runge_kutta.hpp"
+#include "dynamics/integration/runge_kutta.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,10 +9,10 @@
 #include <numeric>
 #include <utility>
 
+#include "dynamics/integration/automatic.hpp"
+#include "dynamics/integration/butcher_tableau.hpp"
+#include "dynamics/integration/cvode.hpp"
 #include "lacuna/core/base/error.hpp"
-#include "lacuna/dynamics/integration/automatic.hpp"
-#include "lacuna/dynamics/integration/butcher_tableau.hpp"
-#include "lacuna/dynamics/integration/cvode.hpp"
 #include "lacuna/dynamics/integration/simulate.hpp"
 #include "support/stiff_models.hpp"
 

@@ -8,12 +8,12 @@
 #include <chrono>
 #include <cmath>
 
+#include "dynamics/integration/automatic.hpp"
+#include "dynamics/integration/cvode.hpp"
+#include "dynamics/integration/runge_kutta.hpp"
 #include "lacuna/core/base/error.hpp"
-#include "lacuna/dynamics/integration/automatic.hpp"
-#include "lacuna/dynamics/integration/cvode.hpp"
 #include "lacuna/dynamics/integration/integrator.hpp"
 #include "lacuna/dynamics/integration/record_input.hpp"
-#include "lacuna/dynamics/integration/runge_kutta.hpp"
 
 namespace lacuna {
 namespace {

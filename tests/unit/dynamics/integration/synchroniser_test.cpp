@@ -7,10 +7,10 @@
 #include <cmath>
 
 #include "core/base/random.hpp"
+#include "dynamics/integration/automatic.hpp"
+#include "dynamics/integration/runge_kutta.hpp"
 #include "lacuna/core/base/error.hpp"
 #include "lacuna/data/records/marks.hpp"
-#include "lacuna/dynamics/integration/automatic.hpp"
-#include "lacuna/dynamics/integration/runge_kutta.hpp"
 #include "lacuna/dynamics/integration/simulate.hpp"
 #include "lacuna/dynamics/test_systems/measurement.hpp"
 #include "lacuna/dynamics/test_systems/test_systems.hpp"

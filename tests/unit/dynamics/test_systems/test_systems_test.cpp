@@ -11,12 +11,12 @@
 #include <memory>
 
 #include "core/files/atomic_file.hpp"
+#include "dynamics/integration/runge_kutta.hpp"
 #include "dynamics/test_systems/rossler_circuit.hpp"
 #include "dynamics/test_systems/shipped_record.hpp"
 #include "dynamics/test_systems/spice_record.hpp"
 #include "lacuna/core/base/error.hpp"
 #include "lacuna/data/formats/write.hpp"
-#include "lacuna/dynamics/integration/runge_kutta.hpp"
 #include "lacuna/dynamics/integration/simulate.hpp"
 #include "lacuna/dynamics/test_systems/measurement.hpp"
 #include "support/one_record.hpp"

@@ -7,10 +7,10 @@
 #include <cmath>
 #include <numbers>
 
+#include "effects/families.hpp"
 #include "forms/candidate/nesting.hpp"
 #include "forms/candidate/tone.hpp"
 #include "lacuna/core/base/error.hpp"
-#include "lacuna/effects/families.hpp"
 #include "lacuna/effects/forms.hpp"
 #include "lacuna/forms/candidate/effect.hpp"
 #include "lacuna/forms/candidate/scope.hpp"

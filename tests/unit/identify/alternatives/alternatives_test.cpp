@@ -6,8 +6,8 @@
 #include <cmath>
 #include <set>
 
-#include "lacuna/bases/monomials.hpp"
-#include "lacuna/dynamics/integration/runge_kutta.hpp"
+#include "bases/monomials.hpp"
+#include "dynamics/integration/runge_kutta.hpp"
 #include "lacuna/dynamics/test_systems/measurement.hpp"
 #include "lacuna/dynamics/test_systems/test_systems.hpp"
 #include "lacuna/identify/pipeline/presets.hpp"

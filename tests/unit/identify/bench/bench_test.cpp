@@ -7,17 +7,17 @@
 #include <cmath>
 #include <limits>
 
-#include "lacuna/bases/monomials.hpp"
-#include "lacuna/data/derivatives/finite_differences.hpp"
-#include "lacuna/dynamics/integration/runge_kutta.hpp"
+#include "bases/monomials.hpp"
+#include "data/derivatives/finite_differences.hpp"
+#include "dynamics/integration/runge_kutta.hpp"
 #include "lacuna/dynamics/integration/simulate.hpp"
 #include "lacuna/dynamics/test_systems/test_systems.hpp"
-#include "lacuna/regression/filters/none.hpp"
-#include "lacuna/regression/formulations/strong_form.hpp"
-#include "lacuna/regression/pruners/keep_all.hpp"
-#include "lacuna/solvers/ols.hpp"
-#include "lacuna/solvers/stlsq.hpp"
-#include "lacuna/trajectories/refiners/no_refiner.hpp"
+#include "regression/filters/none.hpp"
+#include "regression/formulations/strong_form.hpp"
+#include "regression/pruners/keep_all.hpp"
+#include "solvers/ols.hpp"
+#include "solvers/stlsq.hpp"
+#include "trajectories/refiners/no_refiner.hpp"
 
 namespace lacuna {
 namespace {

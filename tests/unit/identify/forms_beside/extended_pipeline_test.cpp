@@ -9,10 +9,10 @@
 #include <vector>
 
 #include "core/base/random.hpp"
+#include "dynamics/integration/runge_kutta.hpp"
 #include "identify/forms_beside/function_forms.hpp"
 #include "identify/forms_beside/model_comparison.hpp"
 #include "lacuna/data/records/noise.hpp"
-#include "lacuna/dynamics/integration/runge_kutta.hpp"
 #include "lacuna/dynamics/test_systems/measurement.hpp"
 #include "lacuna/identify/pipeline/presets.hpp"
 #include "support/one_record.hpp"

@@ -6,14 +6,14 @@
 #include <cmath>
 #include <set>
 
+#include "bases/monomials.hpp"
+#include "dynamics/integration/runge_kutta.hpp"
 #include "identify/forms_beside/form_problem.hpp"
 #include "identify/forms_beside/function_forms.hpp"
 #include "identify/forms_beside/missing_forms.hpp"
 #include "identify/forms_beside/product_forms.hpp"
 #include "identify/forms_beside/rational_forms.hpp"
-#include "lacuna/bases/monomials.hpp"
 #include "lacuna/cli/configuration/registry.hpp"
-#include "lacuna/dynamics/integration/runge_kutta.hpp"
 #include "lacuna/dynamics/test_systems/measurement.hpp"
 #include "lacuna/dynamics/test_systems/test_systems.hpp"
 #include "lacuna/model/files/ode_text.hpp"

@@ -7,11 +7,11 @@
 #include <cmath>
 #include <functional>
 
+#include "dynamics/integration/runge_kutta.hpp"
 #include "lacuna/cli/configuration/registry.hpp"
-#include "lacuna/dynamics/integration/runge_kutta.hpp"
 #include "lacuna/dynamics/test_systems/measurement.hpp"
 #include "lacuna/dynamics/test_systems/test_systems.hpp"
-#include "lacuna/identify/forms_beside/form_options.hpp"
+#include "lacuna/identify/options.hpp"
 #include "lacuna/identify/pipeline/presets.hpp"
 #include "lacuna/model/files/ode_text.hpp"
 

@@ -10,14 +10,14 @@
 #include <set>
 #include <string>
 
+#include "bases/monomials.hpp"
 #include "core/base/random.hpp"
+#include "data/derivatives/finite_differences.hpp"
+#include "dynamics/integration/runge_kutta.hpp"
 #include "identify/hidden_state/polynomial.hpp"
 #include "identify/hidden_state/sparse_coordinates.hpp"
-#include "lacuna/bases/monomials.hpp"
 #include "lacuna/core/base/error.hpp"
 #include "lacuna/core/base/stages_done.hpp"
-#include "lacuna/data/derivatives/finite_differences.hpp"
-#include "lacuna/dynamics/integration/runge_kutta.hpp"
 #include "lacuna/dynamics/integration/simulate.hpp"
 #include "lacuna/dynamics/test_systems/test_systems.hpp"
 #include "lacuna/identify/pipeline/presets.hpp"

@@ -5,19 +5,19 @@
 
 #include <cmath>
 
+#include "bases/expressions.hpp"
+#include "bases/monomials.hpp"
 #include "core/base/random.hpp"
 #include "identify/journey/centred_library.hpp"
 #include "identify/journey/fitting_library.hpp"
 #include "identify/journey/lower_terms.hpp"
 #include "identify/journey/plain_terms.hpp"
-#include "lacuna/bases/expressions.hpp"
-#include "lacuna/bases/monomials.hpp"
 #include "lacuna/identify/journey/identify_records.hpp"
 #include "lacuna/identify/pipeline/presets.hpp"
 #include "lacuna/model/files/ode_text.hpp"
-#include "lacuna/regression/formulations/next_sample.hpp"
-#include "lacuna/trajectories/refiners/no_refiner.hpp"
+#include "regression/formulations/next_sample.hpp"
 #include "support/one_record.hpp"
+#include "trajectories/refiners/no_refiner.hpp"
 #include "unit/identify/pipeline/records.hpp"
 
 namespace lacuna {

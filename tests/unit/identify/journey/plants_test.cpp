@@ -8,8 +8,8 @@
 #include <functional>
 
 #include "core/base/random.hpp"
+#include "data/derivatives/finite_differences.hpp"
 #include "lacuna/core/base/error.hpp"
-#include "lacuna/data/derivatives/finite_differences.hpp"
 #include "lacuna/identify/journey/identify_records.hpp"
 #include "lacuna/records/binding/embedding.hpp"
 #include "support/one_record.hpp"

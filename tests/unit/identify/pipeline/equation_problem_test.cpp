@@ -11,15 +11,15 @@
 #include <memory>
 #include <utility>
 
+#include "bases/monomials.hpp"
 #include "core/base/random.hpp"
 #include "identify/pipeline/equation_terms.hpp"
 #include "identify/pipeline/given_rates.hpp"
-#include "lacuna/bases/monomials.hpp"
 #include "lacuna/core/base/error.hpp"
 #include "lacuna/identify/pipeline/presets.hpp"
 #include "lacuna/model/files/ode_text.hpp"
-#include "lacuna/solvers/ols.hpp"
-#include "lacuna/trajectories/refiners/no_refiner.hpp"
+#include "solvers/ols.hpp"
+#include "trajectories/refiners/no_refiner.hpp"
 #include "unit/identify/pipeline/records.hpp"
 
 namespace lacuna {

@@ -8,20 +8,20 @@
 #include <map>
 #include <optional>
 
-#include "lacuna/bases/expressions.hpp"
-#include "lacuna/bases/monomials.hpp"
-#include "lacuna/data/derivatives/finite_differences.hpp"
+#include "bases/expressions.hpp"
+#include "bases/monomials.hpp"
+#include "data/derivatives/finite_differences.hpp"
 #include "lacuna/dynamics/integration/synchroniser.hpp"
 #include "lacuna/identify/pipeline/presets.hpp"
 #include "lacuna/identify/pipeline/validation.hpp"
-#include "lacuna/regression/filters/none.hpp"
-#include "lacuna/regression/formulations/strong_form.hpp"
-#include "lacuna/regression/pruners/keep_all.hpp"
-#include "lacuna/solvers/ols.hpp"
-#include "lacuna/solvers/stlsq.hpp"
-#include "lacuna/trajectories/refiners/no_refiner.hpp"
+#include "regression/filters/none.hpp"
+#include "regression/formulations/strong_form.hpp"
+#include "regression/pruners/keep_all.hpp"
+#include "solvers/ols.hpp"
+#include "solvers/stlsq.hpp"
 #include "support/expect_error.hpp"
 #include "support/one_record.hpp"
+#include "trajectories/refiners/no_refiner.hpp"
 #include "unit/identify/pipeline/records.hpp"
 
 namespace lacuna {

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "core/base/random.hpp"
+#include "data/derivatives/finite_differences.hpp"
 #include "identify/plain_structure/plain_equations.hpp"
-#include "lacuna/data/derivatives/finite_differences.hpp"
 #include "lacuna/identify/journey/identify_records.hpp"
 #include "lacuna/model/files/ode_text.hpp"
 #include "lacuna/records/binding/embedding.hpp"

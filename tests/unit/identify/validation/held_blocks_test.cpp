@@ -8,6 +8,7 @@
 #include <string>
 
 #include "core/base/random.hpp"
+#include "dynamics/integration/runge_kutta.hpp"
 #include "identify/validation/map_predictions.hpp"
 #include "identify/validation/predicted_records.hpp"
 #include "identify/validation/prediction_windows.hpp"
@@ -15,7 +16,6 @@
 #include "identify/validation/validate.hpp"
 #include "lacuna/cli/configuration/configuration.hpp"
 #include "lacuna/data/records/marks.hpp"
-#include "lacuna/dynamics/integration/runge_kutta.hpp"
 #include "lacuna/dynamics/test_systems/measurement.hpp"
 #include "lacuna/dynamics/test_systems/test_systems.hpp"
 #include "lacuna/identify/pipeline/presets.hpp"

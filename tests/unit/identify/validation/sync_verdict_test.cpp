@@ -8,8 +8,8 @@
 #include <random>
 
 #include "core/base/text.hpp"
+#include "dynamics/integration/runge_kutta.hpp"
 #include "lacuna/data/records/marks.hpp"
-#include "lacuna/dynamics/integration/runge_kutta.hpp"
 #include "lacuna/dynamics/test_systems/measurement.hpp"
 #include "lacuna/model/files/ode_text.hpp"
 

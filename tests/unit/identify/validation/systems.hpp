@@ -4,9 +4,9 @@
 
 #include <string>
 
+#include "bases/expressions.hpp"
+#include "dynamics/integration/runge_kutta.hpp"
 #include "identify/validation/validate.hpp"
-#include "lacuna/bases/expressions.hpp"
-#include "lacuna/dynamics/integration/runge_kutta.hpp"
 #include "lacuna/dynamics/test_systems/measurement.hpp"
 #include "lacuna/dynamics/test_systems/test_systems.hpp"
 #include "lacuna/identify/pipeline/presets.hpp"

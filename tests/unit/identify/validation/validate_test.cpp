@@ -5,17 +5,17 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "data/derivatives/finite_differences.hpp"
+#include "identify/validation/advice.hpp"
 #include "identify/validation/held_blocks.hpp"
 #include "identify/validation/refit.hpp"
 #include "lacuna/cli/configuration/registry.hpp"
 #include "lacuna/core/base/error.hpp"
-#include "lacuna/data/derivatives/finite_differences.hpp"
-#include "lacuna/identify/validation/advice.hpp"
-#include "lacuna/identify/validation/validation_options.hpp"
+#include "lacuna/identify/options.hpp"
 #include "lacuna/records/binding/embedding.hpp"
-#include "lacuna/regression/pruners/keep_all.hpp"
-#include "lacuna/solvers/stlsq.hpp"
-#include "lacuna/trajectories/refiners/no_refiner.hpp"
+#include "regression/pruners/keep_all.hpp"
+#include "solvers/stlsq.hpp"
+#include "trajectories/refiners/no_refiner.hpp"
 #include "unit/identify/validation/systems.hpp"
 
 namespace lacuna {

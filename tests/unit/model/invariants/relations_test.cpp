@@ -7,8 +7,8 @@
 #include <cmath>
 
 #include "core/base/random.hpp"
+#include "dynamics/integration/runge_kutta.hpp"
 #include "lacuna/core/base/error.hpp"
-#include "lacuna/dynamics/integration/runge_kutta.hpp"
 #include "lacuna/dynamics/test_systems/measurement.hpp"
 #include "lacuna/dynamics/test_systems/test_systems.hpp"
 #include "lacuna/model/files/ode_text.hpp"

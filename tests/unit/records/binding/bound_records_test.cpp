@@ -7,8 +7,8 @@
 #include <string>
 
 #include "core/base/random.hpp"
+#include "data/derivatives/finite_differences.hpp"
 #include "lacuna/core/base/error.hpp"
-#include "lacuna/data/derivatives/finite_differences.hpp"
 #include "lacuna/data/records/marks.hpp"
 #include "records/binding/other_records.hpp"
 #include "records/binding/seams.hpp"

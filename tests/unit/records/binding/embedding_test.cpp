@@ -4,9 +4,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "data/derivatives/finite_differences.hpp"
+#include "data/derivatives/savitzky_golay.hpp"
 #include "lacuna/core/base/error.hpp"
-#include "lacuna/data/derivatives/finite_differences.hpp"
-#include "lacuna/data/derivatives/savitzky_golay.hpp"
 #include "support/oscillation.hpp"
 
 namespace lacuna {

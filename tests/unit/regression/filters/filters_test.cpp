@@ -7,9 +7,9 @@
 #include <numbers>
 
 #include "core/base/random.hpp"
-#include "lacuna/regression/filters/abm.hpp"
-#include "lacuna/regression/filters/svd_filter.hpp"
-#include "lacuna/regression/filters/vca.hpp"
+#include "regression/filters/abm.hpp"
+#include "regression/filters/svd_filter.hpp"
+#include "regression/filters/vca.hpp"
 #include "support/stage_invariance.hpp"
 
 namespace lacuna {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/regression/formulations/next_sample.hpp"
+#include "regression/formulations/next_sample.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "lacuna/bases/monomials.hpp"
+#include "bases/monomials.hpp"
 #include "lacuna/cli/configuration/configuration.hpp"
 #include "lacuna/identify/pipeline/pipeline.hpp"
 #include "lacuna/regression/linear/subproblem.hpp"

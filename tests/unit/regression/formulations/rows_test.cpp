@@ -4,9 +4,9 @@
 
 #include <cmath>
 
+#include "data/derivatives/finite_differences.hpp"
+#include "data/derivatives/savitzky_golay.hpp"
 #include "lacuna/core/base/error.hpp"
-#include "lacuna/data/derivatives/finite_differences.hpp"
-#include "lacuna/data/derivatives/savitzky_golay.hpp"
 #include "records/binding/derived_record.hpp"
 #include "regression/formulations/library_rows.hpp"
 #include "regression/formulations/projected_rows.hpp"

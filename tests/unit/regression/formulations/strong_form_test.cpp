@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Rates as they are projected on test functions or stand at samples.
-#include "lacuna/regression/formulations/strong_form.hpp"
+#include "regression/formulations/strong_form.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -10,13 +10,13 @@
 #include <utility>
 
 #include "core/base/random.hpp"
-#include "lacuna/data/derivatives/finite_differences.hpp"
-#include "lacuna/data/derivatives/savitzky_golay.hpp"
-#include "lacuna/regression/formulations/integral_form.hpp"
-#include "lacuna/regression/formulations/weak_form.hpp"
+#include "data/derivatives/finite_differences.hpp"
+#include "data/derivatives/savitzky_golay.hpp"
 #include "lacuna/regression/linear/subproblem.hpp"
+#include "regression/formulations/integral_form.hpp"
 #include "regression/formulations/projection.hpp"
 #include "regression/formulations/test_functions.hpp"
+#include "regression/formulations/weak_form.hpp"
 #include "support/oscillation.hpp"
 #include "unit/data/long_records/long_records.hpp"
 

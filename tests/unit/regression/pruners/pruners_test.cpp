@@ -5,12 +5,12 @@
 #include <algorithm>
 
 #include "core/base/random.hpp"
-#include "lacuna/regression/pruners/cross_validation.hpp"
-#include "lacuna/regression/pruners/information_criterion.hpp"
-#include "lacuna/regression/pruners/minor_terms.hpp"
-#include "lacuna/regression/pruners/sequential_thresholding.hpp"
-#include "lacuna/solvers/ols.hpp"
+#include "regression/pruners/cross_validation.hpp"
 #include "regression/pruners/elimination.hpp"
+#include "regression/pruners/information_criterion.hpp"
+#include "regression/pruners/minor_terms.hpp"
+#include "regression/pruners/sequential_thresholding.hpp"
+#include "solvers/ols.hpp"
 #include "support/pruner_checks.hpp"
 #include "support/sparse_problem.hpp"
 

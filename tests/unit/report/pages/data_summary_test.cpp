@@ -9,10 +9,7 @@
 #include <random>
 
 #include "lacuna/data/records/marks.hpp"
-#include "lacuna/report/pages/bench_report.hpp"
-#include "lacuna/report/pages/comparison_report.hpp"
-#include "lacuna/report/pages/rivals_report.hpp"
-#include "lacuna/report/pages/sync_report.hpp"
+#include "lacuna/report/reports.hpp"
 #include "report/pages/pages.hpp"
 #include "unit/report/pages/reports.hpp"
 

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/report/pages/diagnosis_report.hpp"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
 
+#include "lacuna/report/reports.hpp"
 #include "support/diagnosis_scope.hpp"
 #include "support/driven_oscillator.hpp"
 

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/report/pages/fit_report.hpp"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -8,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "lacuna/model/files/ode_text.hpp"
+#include "lacuna/report/reports.hpp"
 #include "report/pages/pages.hpp"
 
 namespace lacuna {

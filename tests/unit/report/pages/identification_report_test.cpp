@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
 
-#include "lacuna/report/pages/identification_report.hpp"
-
 #include <nlohmann/json.hpp>
 
 #include "lacuna/dynamics/test_systems/measurement.hpp"
 #include "lacuna/dynamics/test_systems/test_systems.hpp"
 #include "lacuna/identify/journey/identify_records.hpp"
+#include "lacuna/report/reports.hpp"
 #include "unit/report/pages/reports.hpp"
 
 namespace lacuna {

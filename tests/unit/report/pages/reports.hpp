@@ -8,7 +8,7 @@
 #include <cmath>
 
 #include "lacuna/identify/pipeline/presets.hpp"
-#include "lacuna/report/pages/identification_report.hpp"
+#include "lacuna/report/reports.hpp"
 
 namespace lacuna::testing {
 

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/report/plans/plan_report.hpp"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
 
 #include "lacuna/model/files/ode_text.hpp"
+#include "lacuna/report/reports.hpp"
 #include "report/plans/plan_parts.hpp"
 #include "support/expect_error.hpp"
 

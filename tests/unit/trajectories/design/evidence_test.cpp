@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "core/base/random.hpp"
-#include "lacuna/data/derivatives/finite_differences.hpp"
+#include "data/derivatives/finite_differences.hpp"
 #include "lacuna/model/files/ode_text.hpp"
 #include "lacuna/records/binding/model_view.hpp"
 #include "lacuna/trajectories/design/plan.hpp"

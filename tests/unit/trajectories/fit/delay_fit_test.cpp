@@ -7,8 +7,8 @@
 #include <cmath>
 
 #include "core/base/random.hpp"
+#include "dynamics/integration/runge_kutta.hpp"
 #include "lacuna/core/base/error.hpp"
-#include "lacuna/dynamics/integration/runge_kutta.hpp"
 #include "lacuna/dynamics/integration/simulate.hpp"
 #include "lacuna/model/files/ode_text.hpp"
 #include "lacuna/trajectories/fit/fit.hpp"

@@ -11,8 +11,8 @@
 #include <limits>
 
 #include "core/base/random.hpp"
+#include "data/derivatives/finite_differences.hpp"
 #include "lacuna/core/base/error.hpp"
-#include "lacuna/data/derivatives/finite_differences.hpp"
 #include "lacuna/model/files/ode_text.hpp"
 #include "lacuna/records/binding/model_view.hpp"
 #include "lacuna/trajectories/fit/fit.hpp"

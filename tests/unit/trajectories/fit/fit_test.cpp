@@ -8,9 +8,9 @@
 #include <chrono>
 #include <cmath>
 
+#include "dynamics/integration/runge_kutta.hpp"
 #include "lacuna/core/base/error.hpp"
-#include "lacuna/dynamics/integration/runge_kutta.hpp"
-#include "lacuna/report/pages/fit_report.hpp"
+#include "lacuna/report/reports.hpp"
 #include "support/expect_error.hpp"
 #include "support/grey_box.hpp"
 

@@ -10,9 +10,9 @@
 #include <utility>
 
 #include "core/base/random.hpp"
+#include "data/derivatives/finite_differences.hpp"
 #include "lacuna/core/base/error.hpp"
 #include "lacuna/core/statistics/interval.hpp"
-#include "lacuna/data/derivatives/finite_differences.hpp"
 #include "lacuna/dynamics/integration/simulate.hpp"
 #include "lacuna/model/files/ode_text.hpp"
 #include "lacuna/records/binding/model_view.hpp"

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <unsupported/Eigen/MatrixFunctions>
 
-#include "lacuna/data/derivatives/finite_differences.hpp"
+#include "data/derivatives/finite_differences.hpp"
 #include "lacuna/records/binding/model_view.hpp"
 #include "lacuna/trajectories/fit/fit.hpp"
 #include "support/grey_box.hpp"

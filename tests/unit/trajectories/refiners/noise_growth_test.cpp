@@ -6,8 +6,8 @@
 #include <Eigen/QR>
 #include <cmath>
 
+#include "bases/monomials.hpp"
 #include "core/base/random.hpp"
-#include "lacuna/bases/monomials.hpp"
 #include "lacuna/model/equations/term.hpp"
 #include "support/noisy_records.hpp"
 #include "support/one_record.hpp"

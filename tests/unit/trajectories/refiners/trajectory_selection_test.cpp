@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/trajectories/refiners/trajectory_selection.hpp"
+#include "trajectories/refiners/trajectory_selection.hpp"
 
 #include <gtest/gtest.h>
 

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "lacuna/bases/monomials.hpp"
+#include "bases/monomials.hpp"
 #include "support/noisy_records.hpp"
 #include "trajectories/shooting/shooting_fit.hpp"
 #include "trajectories/subset_selection/subset_problem.hpp"

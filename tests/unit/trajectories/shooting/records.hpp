@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <string>
 
-#include "lacuna/dynamics/integration/runge_kutta.hpp"
+#include "dynamics/integration/runge_kutta.hpp"
 #include "lacuna/dynamics/test_systems/measurement.hpp"
 #include "lacuna/dynamics/test_systems/test_systems.hpp"
 #include "lacuna/model/equations/parametrised_model.hpp"

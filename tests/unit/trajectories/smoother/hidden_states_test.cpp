@@ -6,8 +6,8 @@
 
 #include <cmath>
 
+#include "dynamics/integration/runge_kutta.hpp"
 #include "lacuna/data/records/marks.hpp"
-#include "lacuna/dynamics/integration/runge_kutta.hpp"
 #include "lacuna/dynamics/test_systems/measurement.hpp"
 #include "lacuna/model/files/ode_text.hpp"
 #include "support/driven_oscillator.hpp"

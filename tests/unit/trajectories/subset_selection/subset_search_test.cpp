@@ -11,10 +11,10 @@
 #include <string>
 #include <vector>
 
+#include "bases/monomials.hpp"
 #include "core/base/random.hpp"
-#include "lacuna/bases/monomials.hpp"
+#include "dynamics/integration/runge_kutta.hpp"
 #include "lacuna/core/base/error.hpp"
-#include "lacuna/dynamics/integration/runge_kutta.hpp"
 #include "lacuna/dynamics/test_systems/measurement.hpp"
 #include "lacuna/dynamics/test_systems/test_systems.hpp"
 #include "support/correlated_rows.hpp"

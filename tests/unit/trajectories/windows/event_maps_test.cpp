@@ -8,7 +8,7 @@
 #include <functional>
 
 #include "core/base/random.hpp"
-#include "lacuna/dynamics/integration/runge_kutta.hpp"
+#include "dynamics/integration/runge_kutta.hpp"
 #include "lacuna/dynamics/integration/simulate.hpp"
 #include "lacuna/model/files/ode_text.hpp"
 #include "lacuna/trajectories/fit/fit.hpp"

@@ -9,7 +9,7 @@
 
 #include "lacuna/core/statistics/interval.hpp"
 #include "lacuna/data/records/marks.hpp"
-#include "lacuna/report/pages/fit_report.hpp"
+#include "lacuna/report/reports.hpp"
 #include "lacuna/trajectories/fit/rivals.hpp"
 #include "support/expect_error.hpp"
 #include "support/populations.hpp"

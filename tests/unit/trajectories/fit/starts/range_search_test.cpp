@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "core/base/random.hpp"
-#include "lacuna/data/derivatives/finite_differences.hpp"
-#include "lacuna/dynamics/integration/runge_kutta.hpp"
+#include "data/derivatives/finite_differences.hpp"
+#include "dynamics/integration/runge_kutta.hpp"
 #include "lacuna/dynamics/integration/simulate.hpp"
 #include "lacuna/model/files/ode_text.hpp"
 #include "lacuna/records/binding/model_view.hpp"

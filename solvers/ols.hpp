@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "lacuna/solvers/least_squares.hpp"
+
+namespace lacuna {
+
+/// What ols() makes.
+class Ols final : public Configured<Regressor, OlsOptions> {
+ public:
+  using Configured::Configured;
+
+ private:
+  Regression do_fit(const LeastSquaresSystem& system, const Subproblem& problem, Effort effort,
+                    const RunContext& context) const override;
+};
+
+}  // namespace lacuna
