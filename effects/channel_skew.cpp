@@ -3,8 +3,7 @@
 #include <optional>
 
 #include "effects/families.hpp"
-#include "lacuna/effects/forms.hpp"
-#include "lacuna/effects/terms.hpp"
+#include "lacuna/effects/effects.hpp"
 
 namespace lacuna {
 namespace {

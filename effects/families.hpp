@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "lacuna/effects/effect_family.hpp"
+#include "lacuna/effects/effects.hpp"
 
 // The named effects of lacuna; each is one source file on the shelf effects/.
 namespace lacuna {

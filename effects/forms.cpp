@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/effects/forms.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
-#include "lacuna/effects/terms.hpp"
+#include "lacuna/effects/effects.hpp"
 
 namespace lacuna {
 

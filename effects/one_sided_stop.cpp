@@ -2,9 +2,7 @@
 #include <algorithm>
 
 #include "effects/families.hpp"
-#include "lacuna/effects/forms.hpp"
-#include "lacuna/effects/patterns.hpp"
-#include "lacuna/effects/terms.hpp"
+#include "lacuna/effects/effects.hpp"
 
 namespace lacuna {
 namespace {

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/effects/patterns.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -8,7 +6,7 @@
 #include <set>
 #include <string>
 
-#include "lacuna/effects/terms.hpp"
+#include "lacuna/effects/effects.hpp"
 
 namespace lacuna {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "effects/families.hpp"
 #include "forms/candidate/tone.hpp"
-#include "lacuna/effects/patterns.hpp"
+#include "lacuna/effects/effects.hpp"
 
 namespace lacuna {
 namespace {

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "effects/families.hpp"
-#include "lacuna/effects/forms.hpp"
-#include "lacuna/effects/patterns.hpp"
-#include "lacuna/effects/terms.hpp"
+#include "lacuna/effects/effects.hpp"
 
 namespace lacuna {
 namespace {

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/effects/terms.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <optional>
 #include <utility>
 
 #include "data/units/in_units.hpp"
+#include "lacuna/effects/effects.hpp"
 
 namespace lacuna {
 namespace {

@@ -3,7 +3,7 @@
 #include <iostream>
 
 #include "lacuna/bases/bases.hpp"
-#include "lacuna/data/differentiators.hpp"
+#include "lacuna/data/derivatives/differentiators.hpp"
 #include "lacuna/data/formats/read.hpp"
 #include "lacuna/identify/pipeline/pipeline.hpp"
 #include "lacuna/regression/filters.hpp"

@@ -2,10 +2,10 @@
 // A model written by hand, simulated, and its orbit written as a record.
 #include <iostream>
 
+#include "lacuna/dynamics/integration/integrators.hpp"
 #include "lacuna/dynamics/integration/simulate.hpp"
-#include "lacuna/dynamics/integrators.hpp"
-#include "lacuna/model/equations/written_model.hpp"
-#include "lacuna/model/expressions/functions.hpp"
+#include "lacuna/model/equations/ode_model.hpp"
+#include "lacuna/model/expressions/expression.hpp"
 
 int main() {
   using namespace lacuna;

@@ -3,8 +3,8 @@
 #include <iostream>
 
 #include "lacuna/data/formats/read.hpp"
+#include "lacuna/dynamics/integration/integrators.hpp"
 #include "lacuna/dynamics/integration/synchroniser.hpp"
-#include "lacuna/dynamics/integrators.hpp"
 #include "lacuna/dynamics/test_systems/test_systems.hpp"
 
 int main() {

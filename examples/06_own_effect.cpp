@@ -5,8 +5,7 @@
 // along the way.
 #include "lacuna/cli/commands/cli.hpp"
 #include "lacuna/cli/configuration/registry.hpp"
-#include "lacuna/effects/effect_family.hpp"
-#include "lacuna/effects/forms.hpp"
+#include "lacuna/effects/effects.hpp"
 
 namespace {
 

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "lacuna/core/base/function_ref.hpp"
 #include "lacuna/core/base/run_context.hpp"
+#include "lacuna/core/base/types.hpp"
 #include "lacuna/regression/linear/least_squares_system.hpp"
-#include "lacuna/regression/linear/subproblem.hpp"
 
 namespace lacuna {
 

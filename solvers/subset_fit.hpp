@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "lacuna/regression/stages/regressor.hpp"
+#include "lacuna/regression/stages/solvers.hpp"
 
 namespace lacuna {
 

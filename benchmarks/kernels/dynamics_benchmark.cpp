@@ -4,10 +4,10 @@
 
 #include <cmath>
 
+#include "dynamics/integration/cvode.hpp"
+#include "lacuna/dynamics/integration/integrators.hpp"
 #include "lacuna/dynamics/integration/simulate.hpp"
 #include "lacuna/dynamics/integration/synchroniser.hpp"
-#include "lacuna/dynamics/integrators.hpp"
-#include "lacuna/dynamics/test_systems/measurement.hpp"
 #include "lacuna/dynamics/test_systems/test_systems.hpp"
 
 namespace lacuna {

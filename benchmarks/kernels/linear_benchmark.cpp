@@ -9,9 +9,8 @@
 #include <vector>
 
 #include "core/base/random.hpp"
-#include "lacuna/regression/linear/least_squares_system.hpp"
-#include "lacuna/regression/linear/subproblem.hpp"
 #include "core/numerics/sparse_cholesky.hpp"
+#include "lacuna/regression/linear/least_squares_system.hpp"
 #include "regression/linear/gram.hpp"
 #include "regression/linear/row_fold.hpp"
 #include "regression/linear/tile_kernels.hpp"

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <benchmark/benchmark.h>
 
-#include "lacuna/dynamics/integrators.hpp"
-#include "lacuna/dynamics/test_systems/measurement.hpp"
+#include "lacuna/dynamics/integration/integrators.hpp"
 #include "lacuna/dynamics/test_systems/test_systems.hpp"
 #include "trajectories/shooting/refine.hpp"
 #include "trajectories/shooting/shooting_fit.hpp"

@@ -3,13 +3,11 @@
 // derivatives with 0.1 % noise, all three equations.
 #include <benchmark/benchmark.h>
 
+#include "lacuna/cli/configuration/registry.hpp"
 #include "lacuna/regression/filters.hpp"
 #include "lacuna/regression/pruners.hpp"
 #include "lacuna/solvers/least_squares.hpp"
 #include "lacuna/solvers/selection.hpp"
-#include "solvers/l1/l1_ceres.hpp"
-#include "solvers/l1/l1_coordinate_descent.hpp"
-#include "solvers/l1/l1_nlopt.hpp"
 #include "support/rossler_system.hpp"
 
 namespace lacuna {
@@ -52,11 +50,11 @@ void pruner_with_irls(benchmark::State& state, const Stage<TermPruner>& stage) {
 }
 
 /// An unavailable inner solver is reported as skipped.
-template <class Inner>
-void irls_l1(benchmark::State& state) {
-  if constexpr (requires { Inner::unavailable(); })
-    if (!Inner::unavailable().empty()) return state.SkipWithError("not built in");
-  regressor(state, irls_l1({.inner = Inner()}));
+void l1_inner(benchmark::State& state, std::string_view inner) {
+  const Registry registry = default_registry();
+  if (!registry.find(L1Solver::kKind, inner).unavailable.empty())
+    return state.SkipWithError("not built in");
+  regressor(state, irls_l1({.inner = registry.make<L1Solver>(inner)}));
 }
 
 BENCHMARK_CAPTURE(filter, none, no_filter())->Unit(benchmark::kMicrosecond);
@@ -65,9 +63,10 @@ BENCHMARK_CAPTURE(filter, svd, svd_filter())->Unit(benchmark::kMicrosecond);
 BENCHMARK_CAPTURE(regressor, ols, ols())->Unit(benchmark::kMicrosecond);
 BENCHMARK_CAPTURE(regressor, irls, irls())->Unit(benchmark::kMicrosecond);
 BENCHMARK_CAPTURE(regressor, stlsq, stlsq())->Unit(benchmark::kMicrosecond);
-BENCHMARK(irls_l1<CoordinateDescent>)->Unit(benchmark::kMicrosecond);
-BENCHMARK(irls_l1<CeresL1>)->Unit(benchmark::kMicrosecond);
-BENCHMARK(irls_l1<NloptL1>)->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(l1_inner, coordinate_descent, "coordinate-descent")
+    ->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(l1_inner, ceres, "ceres")->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(l1_inner, nlopt, "nlopt")->Unit(benchmark::kMicrosecond);
 BENCHMARK_CAPTURE(pruner, keep_all, keep_all())->Unit(benchmark::kMicrosecond);
 BENCHMARK_CAPTURE(pruner, minor_terms, minor_terms())->Unit(benchmark::kMicrosecond);
 BENCHMARK_CAPTURE(pruner, sequential_thresholding, sequential_thresholding())

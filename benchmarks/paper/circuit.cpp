@@ -6,8 +6,8 @@
 #include "core/base/text.hpp"
 #include "dynamics/attractor/extents.hpp"
 #include "dynamics/test_systems/rossler_circuit.hpp"
-#include "lacuna/dynamics/integrators.hpp"
-#include "lacuna/dynamics/test_systems/measurement.hpp"
+#include "lacuna/dynamics/integration/integrators.hpp"
+#include "lacuna/dynamics/test_systems/test_systems.hpp"
 #include "parts.hpp"
 #include "spice.hpp"
 

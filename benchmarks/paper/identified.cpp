@@ -9,8 +9,8 @@
 #include "dynamics/attractor/power_spectrum.hpp"
 #include "dynamics/attractor/prediction_time.hpp"
 #include "dynamics/attractor/rosenstein.hpp"
+#include "lacuna/dynamics/integration/integrators.hpp"
 #include "lacuna/dynamics/integration/simulate.hpp"
-#include "lacuna/dynamics/integrators.hpp"
 #include "lacuna/identify/pipeline/presets.hpp"
 #include "parts.hpp"
 

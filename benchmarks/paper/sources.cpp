@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "sources.hpp"
 
-#include "lacuna/dynamics/integrators.hpp"
-#include "lacuna/dynamics/test_systems/measurement.hpp"
+#include "lacuna/dynamics/integration/integrators.hpp"
 #include "lacuna/dynamics/test_systems/test_systems.hpp"
 #include "spice.hpp"
 

@@ -2,8 +2,8 @@
 // Tables 4 and 5, Figs. 5 and 6: how far models stay from the records that drive them.
 #include <limits>
 
+#include "lacuna/dynamics/integration/integrators.hpp"
 #include "lacuna/dynamics/integration/simulate.hpp"
-#include "lacuna/dynamics/integrators.hpp"
 #include "lacuna/dynamics/test_systems/test_systems.hpp"
 #include "parts.hpp"
 

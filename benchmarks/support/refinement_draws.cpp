@@ -8,8 +8,7 @@
 
 #include "core/base/random.hpp"
 #include "core/base/text.hpp"
-#include "lacuna/dynamics/integrators.hpp"
-#include "lacuna/dynamics/test_systems/measurement.hpp"
+#include "lacuna/dynamics/integration/integrators.hpp"
 #include "lacuna/dynamics/test_systems/test_systems.hpp"
 #include "trajectories/shooting/cramer_rao.hpp"
 #include "trajectories/shooting/refine.hpp"

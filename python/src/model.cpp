@@ -15,7 +15,6 @@
 #include "lacuna/core/base/error.hpp"
 #include "lacuna/model/export/export_model.hpp"
 #include "lacuna/model/files/model_file.hpp"
-#include "lacuna/model/files/ode_text.hpp"
 
 namespace lacuna::python {
 namespace {

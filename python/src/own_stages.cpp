@@ -10,7 +10,7 @@
 
 #include "arrays.hpp"
 #include "lacuna/core/base/error.hpp"
-#include "lacuna/effects/forms.hpp"
+#include "lacuna/effects/effects.hpp"
 
 namespace lacuna::python {
 namespace {

@@ -13,7 +13,7 @@
 #include "call.hpp"
 #include "lacuna/forms/candidate/effect.hpp"
 #include "lacuna/regression/stages/basis.hpp"
-#include "lacuna/regression/stages/regressor.hpp"
+#include "lacuna/regression/stages/solvers.hpp"
 
 namespace lacuna::python {
 

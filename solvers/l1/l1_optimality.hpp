@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "lacuna/core/base/types.hpp"
-#include "lacuna/regression/stages/l1_solver.hpp"
+#include "lacuna/regression/stages/solvers.hpp"
 
 namespace lacuna {
 

@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-#include "lacuna/core/base/stage.hpp"
+#include "lacuna/core/base/options.hpp"
 #include "lacuna/core/base/types.hpp"
 #include "lacuna/data/records/dataset.hpp"
 

@@ -33,14 +33,6 @@ All<L1Problem> Choices<L1Problem>::all() {
           {"nan", {r, with(c, 0, kNan), ones, ones}, false}};
 }
 
-All<ElasticPenalty> Choices<ElasticPenalty>::all() {
-  const Vector tenth = Vector::Constant(4, 0.1);
-  return {{"0.1", {tenth, 0.1}},
-          {"-1", {-tenth, -1.0}},
-          {"mismatched", {Vector::Ones(2), 0.1}},
-          {"nan", {with(tenth, 0, kNan), 0.0}, false}};
-}
-
 All<SampledSignal> Choices<SampledSignal>::all() {
   return {{"a record", SampledSignal(record().time, record().states.col(0))},
           {"one sample", SampledSignal(Vector::Zero(1), Vector::Ones(1))}};
@@ -58,8 +50,6 @@ All<DrivenModel> Choices<DrivenModel>::all() {
           {"falling breaks", {kModel, kInput, Vector::LinSpaced(3, 2.0, 1.0)}},
           {"nan breaks", {kModel, kInput, Vector::Constant(2, kNan)}, false}};
 }
-
-All<ButcherTableau> Choices<ButcherTableau>::all() { return {{"4", method_of_order(4)}}; }
 
 All<LinearisedRecord> Choices<LinearisedRecord>::all() {
   return {{"a record",
@@ -114,13 +104,6 @@ All<StateNoise> Choices<StateNoise>::all() {
 
 All<BoundRecords> Choices<BoundRecords>::all() {
   return {{"a record", observed(dataset({record()}))}};
-}
-
-All<EstimatedCoefficient> Choices<EstimatedCoefficient>::all() {
-  return {{"q", {1, "q", 2.0, 0.1}},
-          {"(-1)", {-1, "q"}},
-          {"(7)", {7, "q"}},
-          {"nan", {1, "q", kNan, kNan}, false}};
 }
 
 All<Program> Choices<Program>::all() {

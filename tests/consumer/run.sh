@@ -7,11 +7,12 @@ source=$(cd "$(dirname "$0")" && pwd)
 
 rm -rf "$work"
 cmake --install "$build" --prefix "$work/prefix" >/dev/null
-cmake -S "$source" -B "$work/build" -DCMAKE_PREFIX_PATH="$work/prefix" \
+cmake -G Ninja -S "$source" -B "$work/build" -DCMAKE_PREFIX_PATH="$work/prefix" \
   -DCMAKE_CXX_COMPILER="$compiler" -DCMAKE_BUILD_TYPE=Release >/dev/null
 cmake --build "$work/build" >/dev/null
 "$work/build/consumer" >"$work/answers"
 "$work/build/own_parts" >"$work/own_answers"
+"$work/build/from_c"
 grep -q 'dv/dt = -4\*q - 0.2\*v' "$work/answers"
 grep -q 'coulomb-friction' "$work/answers"
 grep -q 'dv/dt = -4\*x - 0.3\*v\*abs(v)' "$work/own_answers"

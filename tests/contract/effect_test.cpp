@@ -12,7 +12,6 @@
 #include "diagnose/candidates/screening.hpp"
 #include "dynamics/integration/runge_kutta.hpp"
 #include "lacuna/diagnose/candidates/explanation.hpp"
-#include "lacuna/dynamics/integration/record_input.hpp"
 #include "lacuna/dynamics/integration/simulate.hpp"
 #include "support/assimilated_oscillator.hpp"
 

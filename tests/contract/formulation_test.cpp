@@ -7,7 +7,7 @@
 #include "bases/monomials.hpp"
 #include "contract/contract.hpp"
 #include "lacuna/data/derivatives/differentiator.hpp"
-#include "lacuna/regression/linear/subproblem.hpp"
+#include "lacuna/regression/linear/least_squares_system.hpp"
 #include "lacuna/regression/stages/basis.hpp"
 #include "support/one_record.hpp"
 

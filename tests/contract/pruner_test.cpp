@@ -2,10 +2,8 @@
 
 #include "bases/monomials.hpp"
 #include "contract/contract.hpp"
-#include "lacuna/regression/stages/l1_solver.hpp"
 #include "lacuna/regression/stages/refiner.hpp"
-#include "lacuna/regression/stages/term_filter.hpp"
-#include "lacuna/regression/stages/term_pruner.hpp"
+#include "lacuna/regression/stages/solvers.hpp"
 #include "solvers/ols.hpp"
 #include "support/one_record.hpp"
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/regression/stages/regressor.hpp"
-
 #include "contract/contract.hpp"
+#include "lacuna/regression/stages/solvers.hpp"
 
 namespace lacuna::contract {
 namespace {

@@ -8,6 +8,7 @@
 #include <set>
 #include <string>
 
+#include "diagnose/hints/hints.hpp"
 #include "hidden/support/cases.hpp"
 #include "hidden/support/disturbance.hpp"
 #include "hidden/support/null_benches.hpp"

@@ -14,7 +14,7 @@
 #include "hidden/support/spikes.hpp"
 #include "hidden/support/twins.hpp"
 #include "hidden/whole_vocabulary.hpp"
-#include "lacuna/model/files/ode_text.hpp"
+#include "lacuna/model/files/model_file.hpp"
 #include "lacuna/records/binding/model_view.hpp"
 
 namespace lacuna::hidden {

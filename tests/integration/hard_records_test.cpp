@@ -8,7 +8,7 @@
 #include <tuple>
 #include <vector>
 
-#include "lacuna/dynamics/test_systems/measurement.hpp"
+#include "lacuna/dynamics/test_systems/test_systems.hpp"
 #include "lacuna/identify/pipeline/presets.hpp"
 #include "support/noisy_records.hpp"
 

@@ -10,7 +10,7 @@
 #include "core/base/random.hpp"
 #include "core/base/text.hpp"
 #include "integration/program.hpp"
-#include "lacuna/model/files/ode_text.hpp"
+#include "lacuna/model/files/model_file.hpp"
 
 namespace lacuna::testing {
 namespace {

@@ -12,7 +12,6 @@
 #include "dynamics/integration/runge_kutta.hpp"
 #include "integration/program.hpp"
 #include "lacuna/data/formats/read.hpp"
-#include "lacuna/dynamics/integration/record_input.hpp"
 #include "lacuna/dynamics/integration/simulate.hpp"
 #include "lacuna/identify/pipeline/presets.hpp"
 #include "lacuna/model/files/model_file.hpp"

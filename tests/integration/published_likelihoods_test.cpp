@@ -16,7 +16,7 @@
 
 #include "data/derivatives/finite_differences.hpp"
 #include "integration/program.hpp"
-#include "lacuna/model/files/ode_text.hpp"
+#include "lacuna/model/files/model_file.hpp"
 #include "lacuna/records/binding/read_records.hpp"
 #include "lacuna/trajectories/fit/fit.hpp"
 

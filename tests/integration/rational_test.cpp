@@ -7,7 +7,6 @@
 #include "identify/forms_beside/identify_with_forms.hpp"
 #include "lacuna/cli/configuration/registry.hpp"
 #include "lacuna/model/files/model_file.hpp"
-#include "lacuna/model/files/ode_text.hpp"
 
 namespace lacuna::benchmarks {
 namespace {

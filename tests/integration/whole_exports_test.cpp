@@ -7,7 +7,7 @@
 
 #include "core/base/text.hpp"
 #include "lacuna/model/export/export_model.hpp"
-#include "lacuna/model/files/ode_text.hpp"
+#include "lacuna/model/files/model_file.hpp"
 #include "support/other_programs.hpp"
 #include "support/temporary_folder.hpp"
 

@@ -44,8 +44,8 @@ const std::set<std::string> kConcrete = {
 /// Whether a header stands above all wings or below them: lacuna/lacuna.hpp, version.hpp.
 bool has_no_wing(const std::string& header) { return header.find('/') == std::string::npos; }
 
-/// "linear/factor" from `#include "lacuna/regression/linear/factor.hpp"`, and from
-/// "linear/factor.hpp" where src/ has that header; empty for other lines.
+/// "linear/factor" from `#include "lacuna/regression/linear/least_squares_system.hpp"`, and
+/// from "linear/factor.hpp" where src/ has that header; empty for other lines.
 std::string included_header(const std::string& line) {
   const std::string start = "#include \"", installed = "lacuna/", end = ".hpp";
   if (line.rfind(start, 0) != 0 || line.rfind(end) == std::string::npos) return "";
@@ -96,7 +96,6 @@ const std::set<std::pair<std::string, std::string>> kCirclesLeft = {
     {"diagnose/hypotheses", "diagnose/journey"},
     {"diagnose/hypotheses", "diagnose/search"},
     {"records/binding", "records/channels"},
-    {"report/json", "report/pages"},
     {"report/pages", "report/plot"},
     {"trajectories/refiners", "trajectories/subset_selection"}};
 

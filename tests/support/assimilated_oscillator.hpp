@@ -2,7 +2,7 @@
 // The nominal oscillator brought onto records with something hidden in them.
 #pragma once
 
-#include "lacuna/forms/candidate/candidate.hpp"
+#include "lacuna/forms/candidate/effect.hpp"
 #include "lacuna/trajectories/smoother/assimilation.hpp"
 #include "support/driven_oscillator.hpp"
 

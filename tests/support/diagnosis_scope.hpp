@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "lacuna/forms/candidate/scope.hpp"
+#include "lacuna/forms/candidate/effect.hpp"
 #include "lacuna/model/files/model_file.hpp"
 #include "support/one_record.hpp"
 

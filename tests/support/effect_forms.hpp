@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "lacuna/effects/effect_family.hpp"
+#include "lacuna/effects/effects.hpp"
 #include "lacuna/model/files/model_file.hpp"
 #include "support/diagnosis_scope.hpp"
 #include "support/one_record.hpp"

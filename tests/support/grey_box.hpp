@@ -10,9 +10,8 @@
 #include "dynamics/integration/butcher_tableau.hpp"
 #include "dynamics/integration/cvode.hpp"
 #include "dynamics/integration/runge_kutta.hpp"
-#include "lacuna/dynamics/integration/record_input.hpp"
 #include "lacuna/dynamics/integration/simulate.hpp"
-#include "lacuna/model/files/ode_text.hpp"
+#include "lacuna/model/files/model_file.hpp"
 #include "lacuna/records/binding/model_view.hpp"
 #include "model/equations/output_values.hpp"
 

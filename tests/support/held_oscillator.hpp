@@ -6,7 +6,7 @@
 #include <functional>
 
 #include "core/base/random.hpp"
-#include "lacuna/data/records/hold.hpp"
+#include "lacuna/data/records/dataset.hpp"
 #include "support/diagnosis_scope.hpp"
 
 namespace lacuna::support {

@@ -7,7 +7,7 @@
 #include <cstdint>
 
 #include "core/base/random.hpp"
-#include "lacuna/regression/stages/l1_solver.hpp"
+#include "lacuna/regression/stages/solvers.hpp"
 #include "support/random_matrix.hpp"
 
 namespace lacuna::testing {

@@ -8,7 +8,7 @@
 #include "core/base/random.hpp"
 #include "data/derivatives/finite_differences.hpp"
 #include "lacuna/dynamics/integration/simulate.hpp"
-#include "lacuna/model/files/ode_text.hpp"
+#include "lacuna/model/files/model_file.hpp"
 #include "lacuna/records/binding/model_view.hpp"
 
 namespace lacuna::support {

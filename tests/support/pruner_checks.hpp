@@ -4,7 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "lacuna/regression/stages/term_pruner.hpp"
+#include "lacuna/regression/stages/solvers.hpp"
 #include "solvers/ols.hpp"
 #include "support/stage_invariance.hpp"
 

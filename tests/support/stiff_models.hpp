@@ -8,9 +8,8 @@
 #include "core/base/random.hpp"
 #include "core/base/text.hpp"
 #include "dynamics/integration/cvode.hpp"
-#include "lacuna/dynamics/integration/record_input.hpp"
 #include "lacuna/dynamics/integration/simulate.hpp"
-#include "lacuna/model/files/ode_text.hpp"
+#include "lacuna/model/files/model_file.hpp"
 
 namespace lacuna::support {
 

@@ -5,8 +5,8 @@
 #include <numbers>
 #include <utility>
 
+#include "lacuna/dynamics/integration/integrators.hpp"
 #include "lacuna/dynamics/integration/simulate.hpp"
-#include "lacuna/dynamics/integrators.hpp"
 #include "lacuna/dynamics/test_systems/test_systems.hpp"
 
 namespace lacuna::benchmarks {

@@ -9,7 +9,7 @@
 #include "cli/configuration/diagnosis_configuration.hpp"
 #include "core/base/text.hpp"
 #include "lacuna/core/base/error.hpp"
-#include "lacuna/data/differentiators.hpp"
+#include "lacuna/data/derivatives/differentiators.hpp"
 #include "lacuna/diagnose/diagnose.hpp"
 #include "lacuna/model/files/model_file.hpp"
 #include "lacuna/records/binding/read_records.hpp"

@@ -9,10 +9,10 @@
 #include "core/base/random.hpp"
 #include "core/base/text.hpp"
 #include "lacuna/core/statistics/interval.hpp"
-#include "lacuna/data/differentiators.hpp"
-#include "lacuna/model/files/ode_text.hpp"
+#include "lacuna/data/derivatives/differentiators.hpp"
+#include "lacuna/model/files/model_file.hpp"
 #include "lacuna/records/binding/model_view.hpp"
-#include "lacuna/trajectories/fit/rivals.hpp"
+#include "lacuna/trajectories/fit/fit.hpp"
 #include "trajectories/design/input_signals.hpp"
 #include "trajectories/design/refit.hpp"
 

@@ -8,7 +8,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
-#include "lacuna/data/differentiators.hpp"
+#include "lacuna/data/derivatives/differentiators.hpp"
 #include "lacuna/model/files/model_file.hpp"
 #include "lacuna/records/binding/read_records.hpp"
 

@@ -16,7 +16,7 @@
 #include "core/base/text.hpp"
 #include "core/files/atomic_file.hpp"
 #include "lacuna/cli/configuration/registry.hpp"
-#include "lacuna/data/differentiators.hpp"
+#include "lacuna/data/derivatives/differentiators.hpp"
 #include "lacuna/data/formats/write.hpp"
 #include "lacuna/diagnose/diagnose.hpp"
 #include "lacuna/model/files/model_file.hpp"

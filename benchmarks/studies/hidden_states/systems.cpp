@@ -8,9 +8,9 @@
 
 #include "core/base/random.hpp"
 #include "lacuna/core/numerics/sampled_signal.hpp"
+#include "lacuna/dynamics/integration/integrators.hpp"
 #include "lacuna/dynamics/integration/simulate.hpp"
-#include "lacuna/dynamics/integrators.hpp"
-#include "lacuna/model/files/ode_text.hpp"
+#include "lacuna/model/files/model_file.hpp"
 
 namespace lacuna::hidden_states {
 namespace {

@@ -8,9 +8,9 @@
 
 #include "core/base/random.hpp"
 #include "core/base/text.hpp"
+#include "lacuna/dynamics/integration/integrators.hpp"
 #include "lacuna/dynamics/integration/simulate.hpp"
-#include "lacuna/dynamics/integrators.hpp"
-#include "lacuna/model/files/ode_text.hpp"
+#include "lacuna/model/files/model_file.hpp"
 #include "model/equations/output_values.hpp"
 
 namespace lacuna::benchmarks {

@@ -6,9 +6,9 @@
 #include <utility>
 
 #include "core/base/text.hpp"
-#include "lacuna/dynamics/integrators.hpp"
-#include "lacuna/dynamics/test_systems/measurement.hpp"
-#include "lacuna/model/files/ode_text.hpp"
+#include "lacuna/dynamics/integration/integrators.hpp"
+#include "lacuna/dynamics/test_systems/test_systems.hpp"
+#include "lacuna/model/files/model_file.hpp"
 
 namespace lacuna::benchmarks {
 namespace {

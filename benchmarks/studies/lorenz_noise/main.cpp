@@ -13,11 +13,10 @@
 #include "core/base/random.hpp"
 #include "core/base/text.hpp"
 #include "lacuna/bases/bases.hpp"
-#include "lacuna/dynamics/integrators.hpp"
-#include "lacuna/dynamics/test_systems/measurement.hpp"
+#include "lacuna/dynamics/integration/integrators.hpp"
 #include "lacuna/dynamics/test_systems/test_systems.hpp"
 #include "lacuna/identify/pipeline/presets.hpp"
-#include "lacuna/model/equations/compare_models.hpp"
+#include "lacuna/model/equations/ode_model.hpp"
 #include "support/settings.hpp"
 #include "support/table.hpp"
 

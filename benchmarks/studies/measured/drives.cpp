@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/base/text.hpp"
-#include "lacuna/data/differentiators.hpp"
+#include "lacuna/data/derivatives/differentiators.hpp"
 #include "lacuna/model/files/model_file.hpp"
 #include "lacuna/records/binding/gaps.hpp"
 #include "lacuna/records/binding/read_records.hpp"

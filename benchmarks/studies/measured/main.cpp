@@ -10,7 +10,7 @@
 #include "diagnosed.hpp"
 #include "drives.hpp"
 #include "lacuna/core/base/error.hpp"
-#include "lacuna/data/differentiators.hpp"
+#include "lacuna/data/derivatives/differentiators.hpp"
 #include "lacuna/data/formats/read.hpp"
 #include "lacuna/identify/pipeline/presets.hpp"
 #include "lacuna/records/binding/embedding.hpp"

@@ -7,9 +7,9 @@
 #include "core/base/text.hpp"
 #include "core/files/file_bytes.hpp"
 #include "lacuna/core/base/error.hpp"
+#include "lacuna/dynamics/integration/integrators.hpp"
 #include "lacuna/dynamics/integration/simulate.hpp"
-#include "lacuna/dynamics/integrators.hpp"
-#include "lacuna/model/files/ode_text.hpp"
+#include "lacuna/model/files/model_file.hpp"
 
 namespace lacuna::odebench {
 namespace {

@@ -6,11 +6,11 @@
 
 #include "lacuna/bases/bases.hpp"
 #include "lacuna/core/base/error.hpp"
+#include "lacuna/dynamics/integration/integrators.hpp"
 #include "lacuna/dynamics/integration/simulate.hpp"
-#include "lacuna/dynamics/integrators.hpp"
-#include "lacuna/dynamics/test_systems/measurement.hpp"
+#include "lacuna/dynamics/test_systems/test_systems.hpp"
 #include "lacuna/identify/pipeline/presets.hpp"
-#include "lacuna/model/files/ode_text.hpp"
+#include "lacuna/model/files/model_file.hpp"
 #include "structure.hpp"
 
 namespace lacuna::benchmarks {

@@ -3,8 +3,8 @@
 
 #include "cli/configuration/variants.hpp"
 #include "lacuna/bases/bases.hpp"
+#include "lacuna/dynamics/integration/integrators.hpp"
 #include "lacuna/dynamics/integration/simulate.hpp"
-#include "lacuna/dynamics/integrators.hpp"
 #include "lacuna/dynamics/test_systems/test_systems.hpp"
 #include "lacuna/identify/bench/bench.hpp"
 #include "lacuna/trajectories/refiners.hpp"

@@ -19,7 +19,7 @@
 #include "lacuna/data/long_records.hpp"
 #include "lacuna/dynamics/test_systems/test_systems.hpp"
 #include "lacuna/identify/pipeline/presets.hpp"
-#include "lacuna/model/equations/compare_models.hpp"
+#include "lacuna/model/equations/ode_model.hpp"
 #include "report/plot/figure.hpp"
 #include "studies/scaling/pieces.hpp"
 #include "studies/scaling/records.hpp"

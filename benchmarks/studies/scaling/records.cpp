@@ -6,8 +6,8 @@
 #include <fstream>
 
 #include "core/base/random.hpp"
+#include "lacuna/dynamics/integration/integrators.hpp"
 #include "lacuna/dynamics/integration/simulate.hpp"
-#include "lacuna/dynamics/integrators.hpp"
 
 namespace lacuna::benchmarks {
 namespace {

@@ -12,7 +12,7 @@
 
 #include "core/base/text.hpp"
 #include "lacuna/identify/pipeline/presets.hpp"
-#include "lacuna/model/equations/compare_models.hpp"
+#include "lacuna/model/equations/ode_model.hpp"
 #include "lacuna/regression/pruners.hpp"
 #include "records.hpp"
 #include "support/parallel.hpp"

@@ -8,7 +8,7 @@
 
 #include "core/base/text.hpp"
 #include "dense_solution.hpp"
-#include "lacuna/dynamics/integrators.hpp"
+#include "lacuna/dynamics/integration/integrators.hpp"
 
 namespace lacuna::benchmarks {
 namespace {

@@ -11,7 +11,7 @@
 #include "identify/validation/validate.hpp"
 #include "lacuna/core/base/error.hpp"
 #include "lacuna/identify/pipeline/presets.hpp"
-#include "lacuna/model/equations/compare_models.hpp"
+#include "lacuna/model/equations/ode_model.hpp"
 #include "records.hpp"
 #include "support/table.hpp"
 

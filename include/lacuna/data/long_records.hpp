@@ -15,7 +15,6 @@
 #include "lacuna/data/records/dataset.hpp"
 #include "lacuna/data/records/noise.hpp"
 #include "lacuna/data/records/roles.hpp"
-#include "lacuna/data/records/trajectory.hpp"
 
 namespace lacuna {
 

@@ -3,8 +3,8 @@
 
 #include "lacuna/core/base/run_context.hpp"
 #include "lacuna/data/records/dataset.hpp"
+#include "lacuna/diagnose/criterion/options.hpp"
 #include "lacuna/diagnose/diagnosis.hpp"
-#include "lacuna/diagnose/options.hpp"
 
 namespace lacuna {
 

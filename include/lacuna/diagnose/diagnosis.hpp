@@ -7,10 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "lacuna/core/base/admission.hpp"
 #include "lacuna/core/base/stages_done.hpp"
 #include "lacuna/core/statistics/interval.hpp"
-#include "lacuna/forms/candidate/candidate.hpp"
+#include "lacuna/forms/candidate/effect.hpp"
 #include "lacuna/model/equations/adequacy.hpp"
 #include "lacuna/model/equations/ode_model.hpp"
 #include "lacuna/records/channels/hint.hpp"

@@ -6,8 +6,7 @@
 
 #include "lacuna/core/base/options.hpp"
 #include "lacuna/core/base/stages_done.hpp"
-#include "lacuna/identify/pipeline/result.hpp"
-#include "lacuna/identify/validation/sync_verdict.hpp"
+#include "lacuna/identify/pipeline/pipeline.hpp"
 #include "lacuna/model/invariants/relations.hpp"
 #include "lacuna/records/channels/map_hint.hpp"
 
@@ -102,6 +101,21 @@ struct AdviceOptions {
     v.field({"most_forms", "", "Forms that are reported for one equation at most.", 1.0, 20.0},
             most_forms);
   }
+};
+
+/// When a slave counts as being with the record. docs/decisions.md says what each trades.
+struct SyncVerdictOptions {
+  static constexpr StageInfo kInfo{"sync", "When a model holds on a record that drives it", ""};
+
+  double above_noise = 2.0;
+  double above_response = 1.25;
+  double follows = 0.1;
+  double resolution = 1e-4;
+  int pieces = 40;
+  double least_held = 0.1;
+  double forgotten = 0.01;
+
+  void describe(OptionVisitor& visitor);
 };
 
 /// How large a library of monomials may be.

@@ -8,7 +8,7 @@
 #include <string_view>
 
 #include "lacuna/core/base/options.hpp"
-#include "lacuna/regression/stages/term_filter.hpp"
+#include "lacuna/regression/stages/solvers.hpp"
 
 namespace lacuna {
 

@@ -9,7 +9,7 @@
 
 #include "lacuna/core/base/options.hpp"
 #include "lacuna/core/numerics/negligible.hpp"
-#include "lacuna/regression/stages/term_pruner.hpp"
+#include "lacuna/regression/stages/solvers.hpp"
 
 namespace lacuna {
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "lacuna/core/base/admission.hpp"
+#include "lacuna/core/base/stages_done.hpp"
 #include "lacuna/diagnose/diagnosis.hpp"
 #include "lacuna/dynamics/attractor/comparison.hpp"
 #include "lacuna/dynamics/integration/synchroniser.hpp"
@@ -18,7 +18,6 @@
 #include "lacuna/model/equations/system_model.hpp"
 #include "lacuna/trajectories/design/plan.hpp"
 #include "lacuna/trajectories/fit/fit.hpp"
-#include "lacuna/trajectories/fit/rivals.hpp"
 
 namespace lacuna {
 

@@ -8,8 +8,7 @@
 #include <string_view>
 
 #include "lacuna/core/base/options.hpp"
-#include "lacuna/regression/stages/l1_solver.hpp"
-#include "lacuna/regression/stages/regressor.hpp"
+#include "lacuna/regression/stages/solvers.hpp"
 
 namespace lacuna {
 

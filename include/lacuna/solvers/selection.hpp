@@ -8,7 +8,7 @@
 #include <string_view>
 
 #include "lacuna/core/base/options.hpp"
-#include "lacuna/regression/stages/regressor.hpp"
+#include "lacuna/regression/stages/solvers.hpp"
 
 namespace lacuna {
 

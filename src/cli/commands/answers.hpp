@@ -16,10 +16,9 @@
 #include "lacuna/forms/candidate/effect.hpp"
 #include "lacuna/identify/bench/bench.hpp"
 #include "lacuna/regression/stages/basis.hpp"
-#include "lacuna/regression/stages/regressor.hpp"
+#include "lacuna/regression/stages/solvers.hpp"
 #include "lacuna/report/reports.hpp"
 #include "lacuna/trajectories/fit/fit.hpp"
-#include "lacuna/trajectories/fit/rivals.hpp"
 #include "report/pages/data_summary.hpp"
 #include "unused_options.hpp"
 

@@ -12,7 +12,6 @@
 
 #include "cli/parsing/options.hpp"
 #include "lacuna/cli/commands/cli.hpp"
-#include "lacuna/core/base/admission.hpp"
 #include "lacuna/core/base/run_context.hpp"
 #include "lacuna/core/base/stages_done.hpp"
 #include "lacuna/model/equations/system_model.hpp"

@@ -7,7 +7,6 @@
 #include "command.hpp"
 #include "data/units/in_units.hpp"
 #include "data_options.hpp"
-#include "lacuna/dynamics/integration/record_input.hpp"
 #include "lacuna/dynamics/integration/simulate.hpp"
 #include "lacuna/dynamics/test_systems/test_systems.hpp"
 #include "lacuna/records/binding/read_records.hpp"

@@ -15,7 +15,7 @@
 #include "diagnose/journey/fitted_outputs.hpp"
 #include "diagnose/journey/journey.hpp"
 #include "lacuna/diagnose/diagnose.hpp"
-#include "lacuna/model/equations/kept_parameters.hpp"
+#include "lacuna/model/equations/system_model.hpp"
 #include "lacuna/model/files/model_file.hpp"
 #include "lacuna/records/binding/read_records.hpp"
 #include "lacuna/report/reports.hpp"

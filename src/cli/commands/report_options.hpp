@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "command.hpp"
-#include "lacuna/core/base/function_ref.hpp"
+#include "lacuna/core/base/types.hpp"
 #include "lacuna/model/equations/rounding.hpp"
 #include "report/pages/page.hpp"
 

@@ -11,7 +11,6 @@
 #include "core/base/text.hpp"
 #include "data_options.hpp"
 #include "lacuna/data/formats/write.hpp"
-#include "lacuna/dynamics/integration/record_input.hpp"
 #include "lacuna/dynamics/integration/simulate.hpp"
 #include "lacuna/dynamics/test_systems/test_systems.hpp"
 #include "lacuna/records/binding/read_records.hpp"

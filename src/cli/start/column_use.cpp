@@ -6,7 +6,7 @@
 #include "core/base/names.hpp"
 #include "data/times/time_names.hpp"
 #include "lacuna/core/base/error.hpp"
-#include "lacuna/data/records/hold.hpp"
+#include "lacuna/data/records/dataset.hpp"
 #include "records/channels/column_hints.hpp"
 
 namespace lacuna::cli {

@@ -6,7 +6,7 @@
 #include "core/base/text.hpp"
 #include "lacuna/model/equations/ode_model.hpp"
 #include "lacuna/model/equations/system_model.hpp"
-#include "lacuna/model/files/ode_text.hpp"
+#include "lacuna/model/files/model_file.hpp"
 #include "model/export/quoted_text.hpp"
 
 namespace lacuna::cli {

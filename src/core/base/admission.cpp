@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/core/base/admission.hpp"
-
 #include <algorithm>
 #include <string>
 
 #include "core/base/text.hpp"
+#include "lacuna/core/base/stages_done.hpp"
 
 namespace lacuna {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <cstddef>
 
-#include "lacuna/core/base/function_ref.hpp"
+#include "lacuna/core/base/types.hpp"
 
 namespace lacuna {
 

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "lacuna/core/base/function_ref.hpp"
 #include "lacuna/core/base/run_context.hpp"
+#include "lacuna/core/base/types.hpp"
 
 namespace lacuna {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "lacuna/data/differentiators.hpp"
+#include "lacuna/data/derivatives/differentiators.hpp"
 
 namespace lacuna {
 

@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "lacuna/data/differentiators.hpp"
+#include "lacuna/data/derivatives/differentiators.hpp"
 
 namespace lacuna {
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <optional>
 
-#include "lacuna/data/differentiators.hpp"
+#include "lacuna/data/derivatives/differentiators.hpp"
 
 namespace lacuna {
 

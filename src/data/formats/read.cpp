@@ -20,7 +20,7 @@
 #include "hdf5.hpp"
 #include "joined_files.hpp"
 #include "lacuna/core/base/error.hpp"
-#include "lacuna/core/base/function_ref.hpp"
+#include "lacuna/core/base/types.hpp"
 #include "mat.hpp"
 #include "npy.hpp"
 #include "npz.hpp"

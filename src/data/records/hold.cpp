@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/data/records/hold.hpp"
-
 #include <array>
 #include <utility>
+
+#include "lacuna/data/records/dataset.hpp"
 
 namespace lacuna {
 namespace {

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/data/records/trajectory.hpp"
-
 #include <algorithm>
 #include <cmath>
 
 #include "data/records/check_record.hpp"
 #include "data/records/piece_name.hpp"
+#include "lacuna/data/records/dataset.hpp"
 
 namespace lacuna {
 

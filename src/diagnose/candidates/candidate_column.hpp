@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "lacuna/forms/candidate/candidate.hpp"
+#include "lacuna/forms/candidate/effect.hpp"
 #include "trajectories/smoother/innovation_system.hpp"
 
 namespace lacuna {

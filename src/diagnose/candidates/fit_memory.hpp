@@ -5,7 +5,7 @@
 #include <string>
 #include <unordered_map>
 
-#include "lacuna/core/base/function_ref.hpp"
+#include "lacuna/core/base/types.hpp"
 #include "lacuna/diagnose/candidates/explanation.hpp"
 
 namespace lacuna {

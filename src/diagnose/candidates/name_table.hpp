@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "lacuna/core/base/stage.hpp"
+#include "lacuna/core/base/options.hpp"
 #include "lacuna/diagnose/candidates/explanation.hpp"
 #include "lacuna/forms/candidate/effect.hpp"
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "lacuna/diagnose/candidates/explanation.hpp"
-#include "lacuna/diagnose/options.hpp"
+#include "lacuna/diagnose/criterion/options.hpp"
 
 namespace lacuna {
 

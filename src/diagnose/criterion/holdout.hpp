@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "lacuna/diagnose/options.hpp"
+#include "lacuna/diagnose/criterion/options.hpp"
 
 namespace lacuna {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/diagnose/options.hpp"
+#include "lacuna/diagnose/criterion/options.hpp"
 
 namespace lacuna {
 

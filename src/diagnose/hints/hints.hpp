@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "lacuna/diagnose/options.hpp"
+#include "lacuna/diagnose/criterion/options.hpp"
 #include "lacuna/records/binding/bound_records.hpp"
 #include "lacuna/records/channels/hint.hpp"
 

@@ -115,15 +115,15 @@ double column_misfit(const Vector& measured, const Vector& modelled) {
   return size > 0.0 ? std::max(apart / size, kRounding) : kRounding;
 }
 
-struct Candidate {
+struct TriedSlip {
   std::size_t number;  ///< on the list
   double level;        ///< mean over all equations of log(e)
   Vector after;
 };
 
-std::vector<Candidate> candidates(const Trial& trial, const std::vector<Slip>& slips,
+std::vector<TriedSlip> candidates(const Trial& trial, const std::vector<Slip>& slips,
                                   const HintOptions& options) {
-  std::vector<Candidate> result;
+  std::vector<TriedSlip> result;
   if (trial.before.maxCoeff() <= options.slip_misfit * options.slip_misfit) return result;
   for (std::size_t i = 0; i < slips.size(); ++i) {
     Comparison fit = compare(trial, slips[i]);
@@ -150,25 +150,25 @@ std::optional<FoundSlip> find_slip(const OdeModel& model, const Dataset& data,
   const Trial trial{model, data, windows,
                     misfit(window_rates(data, windows), model_rates(model, data, windows))};
   const std::vector<Slip> slips = possible_slips(model, data);
-  std::vector<Candidate> all = candidates(trial, slips, options);
+  std::vector<TriedSlip> all = candidates(trial, slips, options);
   if (all.empty()) return std::nullopt;
-  const auto channels = [&](const Candidate& one) { return slips[one.number].channels; };
+  const auto channels = [&](const TriedSlip& one) { return slips[one.number].channels; };
   const double least =
-      std::min_element(all.begin(), all.end(), [](const Candidate& a, const Candidate& b) {
+      std::min_element(all.begin(), all.end(), [](const TriedSlip& a, const TriedSlip& b) {
         return a.level < b.level;
       })->level;
-  std::erase_if(all, [&](const Candidate& one) {
+  std::erase_if(all, [&](const TriedSlip& one) {
     return one.level > least + std::log(options.slip_alike);
   });
   // Of the same channels the plainest factor.
-  std::vector<Candidate> plain;
-  for (Candidate& one : all)
-    if (std::none_of(plain.begin(), plain.end(), [&](const Candidate& other) {
+  std::vector<TriedSlip> plain;
+  for (TriedSlip& one : all)
+    if (std::none_of(plain.begin(), plain.end(), [&](const TriedSlip& other) {
           return slips[other.number].kind == slips[one.number].kind &&
                  channels(other) == channels(one);
         }))
       plain.push_back(std::move(one));
-  std::stable_sort(plain.begin(), plain.end(), [&](const Candidate& a, const Candidate& b) {
+  std::stable_sort(plain.begin(), plain.end(), [&](const TriedSlip& a, const TriedSlip& b) {
     return std::pair(channels(a).size(), a.level) < std::pair(channels(b).size(), b.level);
   });
   FoundSlip found{slips[plain.front().number], trial.before, plain.front().after};

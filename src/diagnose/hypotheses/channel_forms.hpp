@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "lacuna/diagnose/hypotheses/composite_model.hpp"
-#include "lacuna/forms/candidate/scope.hpp"
+#include "lacuna/forms/candidate/effect.hpp"
 
 namespace lacuna {
 

@@ -10,7 +10,7 @@
 #include "diagnose/candidates/screening.hpp"
 #include "diagnose/hypotheses/residual_function.hpp"
 #include "lacuna/core/statistics/interval.hpp"
-#include "lacuna/effects/forms.hpp"
+#include "lacuna/effects/effects.hpp"
 
 namespace lacuna {
 namespace {

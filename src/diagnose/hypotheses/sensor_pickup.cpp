@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "diagnose/hypotheses/sensor_fault.hpp"
-
 #include <cmath>
 #include <numbers>
 #include <optional>
@@ -9,7 +7,8 @@
 
 #include "channel_forms.hpp"
 #include "diagnose/hypotheses/rough_fits.hpp"
-#include "lacuna/effects/patterns.hpp"
+#include "diagnose/hypotheses/sensor_fault.hpp"
+#include "lacuna/effects/effects.hpp"
 
 namespace lacuna {
 namespace {

@@ -16,6 +16,7 @@
 #include "diagnose/hypotheses/shared_process.hpp"
 #include "found_verdict.hpp"
 #include "identifiability.hpp"
+#include "locate.hpp"
 #include "reservations.hpp"
 #include "trajectories/smoother/timing_jitter.hpp"
 

@@ -16,6 +16,7 @@
 #include "diagnose/hints/hints.hpp"
 #include "diagnose/hypotheses/input_noise.hpp"
 #include "fitted_start.hpp"
+#include "gap.hpp"
 #include "held_inputs.hpp"
 #include "journey.hpp"
 #include "lacuna/records/binding/gaps.hpp"

@@ -8,7 +8,7 @@
 
 #include "data/derivatives/golden_section.hpp"
 #include "lacuna/data/records/marks.hpp"
-#include "lacuna/effects/patterns.hpp"
+#include "lacuna/effects/effects.hpp"
 #include "trajectories/smoother/hidden_states.hpp"
 #include "trajectories/smoother/outlier_check.hpp"
 

@@ -9,7 +9,6 @@
 #include "dynamics/integration/automatic.hpp"
 #include "lacuna/core/base/error.hpp"
 #include "lacuna/data/records/marks.hpp"
-#include "lacuna/dynamics/integration/record_input.hpp"
 #include "lacuna/dynamics/integration/simulate.hpp"
 #include "model/equations/formula_channel.hpp"
 

@@ -5,8 +5,8 @@
 #include <optional>
 #include <vector>
 
-#include "lacuna/core/base/function_ref.hpp"
 #include "lacuna/core/base/stages_done.hpp"
+#include "lacuna/core/base/types.hpp"
 #include "lacuna/diagnose/hypotheses/hypothesis.hpp"
 
 namespace lacuna {

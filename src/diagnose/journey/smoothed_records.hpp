@@ -5,8 +5,8 @@
 #include <optional>
 #include <string>
 
+#include "lacuna/diagnose/criterion/options.hpp"
 #include "lacuna/diagnose/hypotheses/problem.hpp"
-#include "lacuna/diagnose/options.hpp"
 #include "smoothing_filter.hpp"
 
 namespace lacuna {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "lacuna/data/records/dataset.hpp"
-#include "lacuna/diagnose/options.hpp"
+#include "lacuna/diagnose/criterion/options.hpp"
 
 namespace lacuna {
 

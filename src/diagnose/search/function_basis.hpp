@@ -8,7 +8,7 @@
 
 #include "lacuna/diagnose/candidates/explanation.hpp"
 #include "lacuna/diagnose/criterion/criterion.hpp"
-#include "lacuna/forms/candidate/scope.hpp"
+#include "lacuna/forms/candidate/effect.hpp"
 #include "trajectories/smoother/innovation_system.hpp"
 
 namespace lacuna {

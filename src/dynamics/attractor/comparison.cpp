@@ -9,8 +9,8 @@
 #include "dynamics/attractor/power_spectrum.hpp"
 #include "dynamics/attractor/rosenstein.hpp"
 #include "lacuna/core/base/error.hpp"
-#include "lacuna/core/base/function_ref.hpp"
 #include "lacuna/core/base/stages_done.hpp"
+#include "lacuna/core/base/types.hpp"
 #include "lacuna/core/statistics/interval.hpp"
 
 namespace lacuna {

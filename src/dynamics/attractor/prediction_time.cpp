@@ -10,7 +10,6 @@
 #include "core/base/check.hpp"
 #include "core/statistics/robust_statistics.hpp"
 #include "data/records/state_statistics.hpp"
-#include "lacuna/dynamics/integration/record_input.hpp"
 #include "lacuna/dynamics/integration/simulate.hpp"
 #include "lacuna/records/binding/model_view.hpp"
 

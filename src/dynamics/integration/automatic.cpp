@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "dynamics/integration/cvode.hpp"
+#include "dynamics/integration/runge_kutta.hpp"
 
 namespace lacuna {
 namespace {

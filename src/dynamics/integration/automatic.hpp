@@ -3,7 +3,7 @@
 
 #include <memory>
 
-#include "lacuna/dynamics/integrators.hpp"
+#include "lacuna/dynamics/integration/integrators.hpp"
 
 namespace lacuna {
 

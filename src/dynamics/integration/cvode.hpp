@@ -4,7 +4,7 @@
 #include <memory>
 #include <string>
 
-#include "lacuna/dynamics/integrators.hpp"
+#include "lacuna/dynamics/integration/integrators.hpp"
 
 namespace lacuna {
 

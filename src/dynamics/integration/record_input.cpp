@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/dynamics/integration/record_input.hpp"
-
 #include <string>
 
 #include "lacuna/core/base/error.hpp"
+#include "lacuna/dynamics/integration/simulate.hpp"
 
 namespace lacuna {
 namespace {

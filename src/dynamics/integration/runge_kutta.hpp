@@ -5,7 +5,7 @@
 #include <memory>
 
 #include "dynamics/integration/butcher_tableau.hpp"
-#include "lacuna/dynamics/integrators.hpp"
+#include "lacuna/dynamics/integration/integrators.hpp"
 
 namespace lacuna {
 

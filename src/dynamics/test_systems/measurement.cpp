@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/dynamics/test_systems/measurement.hpp"
-
 #include <algorithm>
 #include <cmath>
 
@@ -8,6 +6,7 @@
 #include "data/records/check_record.hpp"
 #include "data/records/state_statistics.hpp"
 #include "lacuna/dynamics/integration/simulate.hpp"
+#include "lacuna/dynamics/test_systems/test_systems.hpp"
 
 namespace lacuna {
 namespace {

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "dynamics/integration/runge_kutta.hpp"
-#include "lacuna/dynamics/test_systems/measurement.hpp"
 #include "lacuna/dynamics/test_systems/test_systems.hpp"
 
 namespace lacuna {

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/forms/candidate/candidate.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <map>
 
 #include "lacuna/core/base/error.hpp"
+#include "lacuna/forms/candidate/effect.hpp"
 
 namespace lacuna {
 namespace {

@@ -2,7 +2,6 @@
 // Search without derivatives in a box that is scaled to the unit cube.
 #pragma once
 
-#include "lacuna/core/base/function_ref.hpp"
 #include "lacuna/core/base/types.hpp"
 
 namespace lacuna {

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/forms/candidate/scope.hpp"
-
 #include <algorithm>
 #include <cmath>
 
 #include "lacuna/core/base/error.hpp"
+#include "lacuna/forms/candidate/effect.hpp"
 #include "lacuna/records/channels/node_grid.hpp"
 
 namespace lacuna {

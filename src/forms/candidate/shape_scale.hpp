@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-#include "lacuna/forms/candidate/candidate.hpp"
+#include "lacuna/forms/candidate/effect.hpp"
 
 namespace lacuna {
 

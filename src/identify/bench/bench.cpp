@@ -12,7 +12,7 @@
 #include "core/base/user_text.hpp"
 #include "dynamics/integration/runge_kutta.hpp"
 #include "lacuna/dynamics/integration/synchroniser.hpp"
-#include "lacuna/model/equations/compare_models.hpp"
+#include "lacuna/model/equations/ode_model.hpp"
 
 namespace lacuna {
 namespace {

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "lacuna/data/records/dataset.hpp"
-#include "lacuna/identify/pipeline/result.hpp"
+#include "lacuna/identify/pipeline/pipeline.hpp"
 
 namespace lacuna {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 
-#include "lacuna/effects/forms.hpp"
+#include "lacuna/effects/effects.hpp"
 #include "lacuna/model/equations/term.hpp"
 #include "product_forms.hpp"
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "lacuna/core/base/function_ref.hpp"
+#include "lacuna/core/base/types.hpp"
 #include "lacuna/data/records/dataset.hpp"
 #include "lacuna/model/equations/term.hpp"
 #include "regression/formulations/projection.hpp"

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "lacuna/core/base/stage.hpp"
+#include "lacuna/core/base/options.hpp"
 #include "lacuna/forms/candidate/effect.hpp"
 
 namespace lacuna {

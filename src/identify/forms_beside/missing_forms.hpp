@@ -7,8 +7,7 @@
 
 #include "lacuna/core/base/run_context.hpp"
 #include "lacuna/data/records/dataset.hpp"
-#include "lacuna/forms/candidate/candidate.hpp"
-#include "lacuna/forms/candidate/scope.hpp"
+#include "lacuna/forms/candidate/effect.hpp"
 #include "lacuna/identify/options.hpp"
 #include "lacuna/model/equations/term.hpp"
 

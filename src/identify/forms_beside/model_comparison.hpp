@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "lacuna/data/records/noise.hpp"
-#include "lacuna/identify/pipeline/result.hpp"
+#include "lacuna/identify/pipeline/pipeline.hpp"
 
 namespace lacuna {
 

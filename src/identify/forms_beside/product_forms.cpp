@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "lacuna/effects/forms.hpp"
+#include "lacuna/effects/effects.hpp"
 #include "lacuna/model/equations/term.hpp"
 
 namespace lacuna {

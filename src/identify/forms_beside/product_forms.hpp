@@ -6,8 +6,7 @@
 #include "form_rows.hpp"
 #include "identify/forms_beside/missing_forms.hpp"
 #include "lacuna/core/base/run_context.hpp"
-#include "lacuna/forms/candidate/candidate.hpp"
-#include "lacuna/forms/candidate/scope.hpp"
+#include "lacuna/forms/candidate/effect.hpp"
 
 namespace lacuna {
 

@@ -6,7 +6,6 @@
 
 #include "centred_library.hpp"
 #include "data/records/known_noise.hpp"
-#include "dynamics/integration/automatic.hpp"
 #include "fitting_library.hpp"
 #include "identify/dead_time/dead_time_search.hpp"
 #include "identify/dead_time/delayed_inputs.hpp"
@@ -14,6 +13,7 @@
 #include "identify/hidden_state/identify_hidden.hpp"
 #include "identify/pipeline/given_rates.hpp"
 #include "identify/plain_structure/plain_equations.hpp"
+#include "identify/validation/advice.hpp"
 #include "identify/validation/validate.hpp"
 #include "lacuna/core/base/error.hpp"
 #include "lower_terms.hpp"

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "lacuna/identify/pipeline/result.hpp"
+#include "lacuna/identify/pipeline/pipeline.hpp"
 
 namespace lacuna {
 

@@ -7,7 +7,7 @@
 #include "core/numerics/constrained_least_squares.hpp"
 #include "lacuna/core/base/error.hpp"
 #include "lacuna/core/statistics/interval.hpp"
-#include "lacuna/regression/linear/subproblem.hpp"
+#include "lacuna/regression/linear/least_squares_system.hpp"
 
 namespace lacuna {
 namespace {

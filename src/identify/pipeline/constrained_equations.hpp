@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "equation_terms.hpp"
-#include "lacuna/identify/pipeline/result.hpp"
+#include "lacuna/identify/pipeline/pipeline.hpp"
 #include "lacuna/regression/linear/least_squares_system.hpp"
 
 namespace lacuna {

@@ -4,7 +4,7 @@
 #include "equation_terms.hpp"
 #include "lacuna/core/base/run_context.hpp"
 #include "lacuna/regression/linear/least_squares_system.hpp"
-#include "lacuna/regression/stages/term_filter.hpp"
+#include "lacuna/regression/stages/solvers.hpp"
 
 namespace lacuna {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "lacuna/identify/pipeline/result.hpp"
+#include "lacuna/identify/pipeline/pipeline.hpp"
 
 namespace lacuna {
 

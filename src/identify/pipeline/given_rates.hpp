@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "lacuna/data/records/dataset.hpp"
-#include "lacuna/identify/pipeline/result.hpp"
+#include "lacuna/identify/pipeline/pipeline.hpp"
 
 namespace lacuna {
 

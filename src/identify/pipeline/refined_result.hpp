@@ -2,7 +2,7 @@
 #pragma once
 
 #include "equation_terms.hpp"
-#include "lacuna/identify/pipeline/result.hpp"
+#include "lacuna/identify/pipeline/pipeline.hpp"
 #include "lacuna/regression/stages/refiner.hpp"
 
 namespace lacuna {

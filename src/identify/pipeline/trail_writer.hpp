@@ -5,9 +5,9 @@
 #include <utility>
 #include <vector>
 
-#include "lacuna/identify/pipeline/result.hpp"
+#include "lacuna/identify/pipeline/pipeline.hpp"
 #include "lacuna/regression/stages/basis.hpp"
-#include "lacuna/regression/stages/removal.hpp"
+#include "lacuna/regression/stages/solvers.hpp"
 
 namespace lacuna {
 

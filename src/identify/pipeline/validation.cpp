@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/identify/pipeline/validation.hpp"
-
 #include <algorithm>
 #include <cmath>
+
+#include "lacuna/identify/pipeline/pipeline.hpp"
 
 namespace lacuna {
 

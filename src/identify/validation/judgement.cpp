@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/base/text.hpp"
-#include "lacuna/core/base/admission.hpp"
+#include "lacuna/core/base/stages_done.hpp"
 
 namespace lacuna {
 namespace {

@@ -10,7 +10,6 @@
 
 #include "core/numerics/qr.hpp"
 #include "dynamics/integration/automatic.hpp"
-#include "lacuna/dynamics/integration/record_input.hpp"
 #include "lacuna/dynamics/integration/simulate.hpp"
 #include "lacuna/trajectories/sensitivities/linearised_record.hpp"
 

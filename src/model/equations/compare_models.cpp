@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/model/equations/compare_models.hpp"
-
 #include <set>
 #include <string>
 #include <vector>
 
 #include "core/numerics/singular_values.hpp"
 #include "lacuna/core/base/error.hpp"
+#include "lacuna/model/equations/ode_model.hpp"
 
 namespace lacuna {
 namespace {

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/model/equations/event.hpp"
-
 #include <algorithm>
 #include <cmath>
 
 #include "core/base/text.hpp"
 #include "lacuna/core/base/error.hpp"
+#include "lacuna/model/equations/ode_model.hpp"
 
 namespace lacuna {
 namespace {

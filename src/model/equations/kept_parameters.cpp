@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/model/equations/kept_parameters.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -9,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "lacuna/model/equations/system_model.hpp"
 #include "linear_terms.hpp"
 #include "summand_list.hpp"
 

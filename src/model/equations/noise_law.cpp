@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/model/equations/noise_law.hpp"
-
 #include <array>
 #include <cmath>
 
 #include "core/base/text.hpp"
+#include "lacuna/model/equations/ode_model.hpp"
 
 namespace lacuna {
 namespace {

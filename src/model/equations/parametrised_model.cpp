@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/model/equations/parametrised_model.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -8,6 +6,7 @@
 #include <utility>
 
 #include "lacuna/core/base/error.hpp"
+#include "lacuna/model/equations/system_model.hpp"
 #include "summand_list.hpp"
 
 namespace lacuna {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/model/equations/written_model.hpp"
-
 #include "lacuna/core/base/error.hpp"
+#include "lacuna/model/equations/ode_model.hpp"
 #include "linear_terms.hpp"
 
 namespace lacuna {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/model/expressions/functions.hpp"
+#include "lacuna/model/expressions/expression.hpp"
 
 namespace lacuna {
 

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "lacuna/model/equations/event.hpp"
+#include "lacuna/model/equations/ode_model.hpp"
 
 namespace lacuna {
 

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "core/base/text.hpp"
-#include "lacuna/model/files/ode_text.hpp"
+#include "lacuna/model/files/model_file.hpp"
 #include "model/equations/linear_terms.hpp"
 #include "summand_text.hpp"
 

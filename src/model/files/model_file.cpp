@@ -9,13 +9,12 @@
 #include "core/base/text.hpp"
 #include "core/files/atomic_file.hpp"
 #include "core/files/file_bytes.hpp"
+#include "event_text.hpp"
 #include "lacuna/core/base/error.hpp"
-#include "lacuna/model/files/ode_text.hpp"
 #include "model/equations/known_formula.hpp"
 #include "model/equations/output_fault.hpp"
 #include "model/expressions/formula_error.hpp"
 #include "model/expressions/operations.hpp"
-#include "event_text.hpp"
 #include "strict_json.hpp"
 
 namespace lacuna {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "lacuna/core/base/function_ref.hpp"
+#include "lacuna/core/base/types.hpp"
 #include "lacuna/model/equations/ode_model.hpp"
 #include "ode_line.hpp"
 #include "written_formula.hpp"

@@ -7,7 +7,7 @@
 #include "core/base/names.hpp"
 #include "core/base/text.hpp"
 #include "lacuna/core/base/error.hpp"
-#include "lacuna/model/equations/noise_law.hpp"
+#include "lacuna/model/equations/ode_model.hpp"
 
 namespace lacuna {
 namespace {

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/model/files/ode_text.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -14,6 +12,7 @@
 #include "core/base/text.hpp"
 #include "core/base/utf8.hpp"
 #include "lacuna/core/base/error.hpp"
+#include "lacuna/model/files/model_file.hpp"
 #include "model/equations/known_formula.hpp"
 #include "model/equations/linear_terms.hpp"
 #include "model/equations/output_fault.hpp"

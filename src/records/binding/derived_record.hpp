@@ -3,7 +3,7 @@
 #pragma once
 
 #include "lacuna/data/derivatives/differentiator.hpp"
-#include "lacuna/data/records/trajectory.hpp"
+#include "lacuna/data/records/dataset.hpp"
 
 namespace lacuna {
 

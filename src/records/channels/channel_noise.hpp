@@ -6,7 +6,7 @@
 
 #include "core/statistics/truncated_normal.hpp"
 #include "lacuna/core/base/types.hpp"
-#include "lacuna/model/equations/noise_law.hpp"
+#include "lacuna/model/equations/ode_model.hpp"
 
 namespace lacuna {
 

@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "lacuna/data/records/trajectory.hpp"
+#include "lacuna/data/records/dataset.hpp"
 #include "lacuna/model/equations/term.hpp"
-#include "lacuna/regression/linear/row_source.hpp"
+#include "lacuna/regression/linear/least_squares_system.hpp"
 #include "regression/formulations/input_jumps.hpp"
 
 namespace lacuna {

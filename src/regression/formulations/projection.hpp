@@ -4,7 +4,7 @@
 
 #include "core/numerics/sparse_cholesky.hpp"
 #include "lacuna/core/base/types.hpp"
-#include "lacuna/data/records/trajectory.hpp"
+#include "lacuna/data/records/dataset.hpp"
 
 namespace lacuna {
 

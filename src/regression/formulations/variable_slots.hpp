@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "lacuna/data/records/trajectory.hpp"
+#include "lacuna/data/records/dataset.hpp"
 
 namespace lacuna {
 

@@ -3,10 +3,9 @@
 
 #include <string>
 
-#include "lacuna/core/base/function_ref.hpp"
 #include "lacuna/core/base/run_context.hpp"
-#include "lacuna/regression/linear/factor.hpp"
-#include "lacuna/regression/linear/row_source.hpp"
+#include "lacuna/core/base/types.hpp"
+#include "lacuna/regression/linear/least_squares_system.hpp"
 
 namespace lacuna {
 

@@ -4,7 +4,7 @@
 
 #include "lacuna/core/base/run_context.hpp"
 #include "lacuna/core/base/types.hpp"
-#include "lacuna/regression/linear/row_source.hpp"
+#include "lacuna/regression/linear/least_squares_system.hpp"
 
 namespace lacuna {
 

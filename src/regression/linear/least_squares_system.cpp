@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "core/base/parts.hpp"
-#include "lacuna/regression/linear/subproblem.hpp"
 #include "regression/linear/factorise.hpp"
 #include "regression/linear/row_pass.hpp"
 #include "regression/linear/weighted_rows.hpp"

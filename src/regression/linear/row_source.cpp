@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/regression/linear/row_source.hpp"
-
 #include <string>
 #include <utility>
 
 #include "core/base/check.hpp"
+#include "lacuna/regression/linear/least_squares_system.hpp"
 
 namespace lacuna {
 namespace {

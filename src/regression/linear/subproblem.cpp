@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/regression/linear/subproblem.hpp"
-
 #include <cmath>
 #include <limits>
 #include <string>
 #include <utility>
 
 #include "core/base/check.hpp"
+#include "lacuna/regression/linear/least_squares_system.hpp"
 #include "regression/linear/triangular.hpp"
 
 namespace lacuna {

@@ -2,8 +2,7 @@
 #pragma once
 
 #include "lacuna/regression/linear/least_squares_system.hpp"
-#include "lacuna/regression/linear/subproblem.hpp"
-#include "lacuna/regression/stages/regressor.hpp"
+#include "lacuna/regression/stages/solvers.hpp"
 
 namespace lacuna {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/regression/stages/coefficient_constraint.hpp"
-
 #include <algorithm>
+
+#include "lacuna/regression/stages/refiner.hpp"
 
 namespace lacuna {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/regression/stages/l1_solver.hpp"
-
 #include <string>
+
+#include "lacuna/regression/stages/solvers.hpp"
 
 namespace lacuna {
 namespace {

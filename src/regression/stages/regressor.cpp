@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/regression/stages/regressor.hpp"
-
 #include <string>
 
+#include "lacuna/regression/stages/solvers.hpp"
 #include "term_set.hpp"
 
 namespace lacuna {

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/regression/stages/term_filter.hpp"
-
 #include <string>
 #include <utility>
 
+#include "lacuna/regression/stages/solvers.hpp"
 #include "term_set.hpp"
 
 namespace lacuna {

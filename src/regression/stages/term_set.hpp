@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "lacuna/core/base/types.hpp"
-#include "lacuna/regression/stages/removal.hpp"
+#include "lacuna/regression/stages/solvers.hpp"
 
 namespace lacuna {
 

@@ -9,6 +9,7 @@
 #include "core/base/text.hpp"
 #include "folded_text.hpp"
 #include "lacuna/core/statistics/interval.hpp"
+#include "lacuna/diagnose/hypotheses/composite_model.hpp"
 #include "readable.hpp"
 
 namespace lacuna {

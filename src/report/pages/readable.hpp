@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "lacuna/identify/pipeline/result.hpp"
+#include "lacuna/identify/pipeline/pipeline.hpp"
 #include "lacuna/model/equations/rounding.hpp"
 
 namespace lacuna {

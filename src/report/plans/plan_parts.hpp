@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "lacuna/core/base/admission.hpp"
+#include "lacuna/core/base/stages_done.hpp"
 #include "lacuna/report/reports.hpp"
 #include "report/pages/page.hpp"
 

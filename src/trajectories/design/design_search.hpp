@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "input_signals.hpp"
-#include "lacuna/core/base/function_ref.hpp"
+#include "lacuna/core/base/types.hpp"
 
 namespace lacuna {
 

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "lacuna/model/equations/parametrised_model.hpp"
+#include "lacuna/model/equations/system_model.hpp"
 
 namespace lacuna {
 

@@ -7,7 +7,7 @@
 
 #include "fit_domain.hpp"
 #include "fit_records.hpp"
-#include "lacuna/core/base/function_ref.hpp"
+#include "lacuna/core/base/types.hpp"
 #include "records/channels/channel_noise.hpp"
 #include "trajectories/sensitivities/implicit/radau.hpp"
 #include "trajectories/sensitivities/step_maps.hpp"

@@ -11,7 +11,7 @@
 #include "lacuna/core/base/error.hpp"
 #include "lacuna/data/records/marks.hpp"
 #include "lacuna/data/records/noise.hpp"
-#include "lacuna/dynamics/integration/record_input.hpp"
+#include "lacuna/dynamics/integration/simulate.hpp"
 #include "lacuna/records/binding/model_view.hpp"
 
 namespace lacuna {

@@ -8,7 +8,7 @@
 #include "fit_domain.hpp"
 #include "lacuna/data/records/dataset.hpp"
 #include "lacuna/data/records/noise.hpp"
-#include "lacuna/model/equations/parametrised_model.hpp"
+#include "lacuna/model/equations/system_model.hpp"
 #include "lacuna/trajectories/fit/fit.hpp"
 #include "trajectories/windows/shooting_record.hpp"
 

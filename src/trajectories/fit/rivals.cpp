@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/trajectories/fit/rivals.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -9,6 +7,7 @@
 #include "core/base/text.hpp"
 #include "lacuna/core/base/error.hpp"
 #include "lacuna/core/statistics/interval.hpp"
+#include "lacuna/trajectories/fit/fit.hpp"
 
 namespace lacuna {
 namespace {

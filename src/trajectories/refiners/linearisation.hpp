@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "lacuna/core/base/run_context.hpp"
-#include "lacuna/regression/linear/factor.hpp"
+#include "lacuna/regression/linear/least_squares_system.hpp"
 #include "sensitivity_rows.hpp"
 #include "window_rates.hpp"
 

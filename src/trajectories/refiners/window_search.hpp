@@ -7,7 +7,7 @@
 
 #include "lacuna/core/base/run_context.hpp"
 #include "lacuna/data/records/noise.hpp"
-#include "lacuna/regression/stages/coefficient_constraint.hpp"
+#include "lacuna/regression/stages/refiner.hpp"
 #include "linearisation.hpp"
 #include "noise_growth.hpp"
 #include "trajectories/refiners/trajectory_selection.hpp"

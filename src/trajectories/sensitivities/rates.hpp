@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "lacuna/model/equations/parametrised_model.hpp"
+#include "lacuna/model/equations/system_model.hpp"
 #include "trajectories/sensitivities/weighted_sums.hpp"
 
 namespace lacuna {

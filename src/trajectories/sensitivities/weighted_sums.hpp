@@ -5,7 +5,6 @@
 #include <unordered_map>
 #include <vector>
 
-#include "lacuna/core/base/function_ref.hpp"
 #include "lacuna/core/base/types.hpp"
 #include "lacuna/model/expressions/expression.hpp"
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "lacuna/data/records/dataset.hpp"
-#include "lacuna/model/equations/parametrised_model.hpp"
+#include "lacuna/model/equations/system_model.hpp"
 #include "trajectories/windows/windows.hpp"
 
 namespace lacuna {

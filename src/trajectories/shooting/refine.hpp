@@ -7,7 +7,7 @@
 
 #include "lacuna/core/base/run_context.hpp"
 #include "lacuna/data/records/dataset.hpp"
-#include "lacuna/model/equations/parametrised_model.hpp"
+#include "lacuna/model/equations/system_model.hpp"
 #include "trajectories/shooting/residual_statistics.hpp"
 #include "trajectories/windows/windows.hpp"
 

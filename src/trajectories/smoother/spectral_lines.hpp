@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "lacuna/forms/candidate/scope.hpp"
+#include "lacuna/forms/candidate/effect.hpp"
 #include "lacuna/trajectories/smoother/assimilation.hpp"
 
 namespace lacuna {

@@ -5,7 +5,7 @@
 #include <complex>
 #include <numbers>
 
-#include "lacuna/forms/candidate/scope.hpp"
+#include "lacuna/forms/candidate/effect.hpp"
 #include "lacuna/trajectories/smoother/disturbance_test.hpp"
 
 namespace lacuna {

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "lacuna/core/base/function_ref.hpp"
+#include "lacuna/core/base/types.hpp"
 #include "regression/linear/row_fold.hpp"
 #include "trajectories/sensitivities/step_maps.hpp"
 #include "window_simulation.hpp"

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "dynamics/integration/runge_kutta.hpp"
-#include "lacuna/dynamics/integration/record_input.hpp"
 #include "lacuna/dynamics/integration/simulate.hpp"
 
 namespace lacuna::hidden {

@@ -6,8 +6,8 @@
 
 #include "hidden/support/records.hpp"
 #include "lacuna/core/base/error.hpp"
-#include "lacuna/dynamics/test_systems/measurement.hpp"
-#include "lacuna/model/files/ode_text.hpp"
+#include "lacuna/dynamics/test_systems/test_systems.hpp"
+#include "lacuna/model/files/model_file.hpp"
 
 namespace lacuna::hidden {
 namespace {

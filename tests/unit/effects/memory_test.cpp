@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "effects/families.hpp"
-#include "lacuna/effects/terms.hpp"
+#include "lacuna/effects/effects.hpp"
 #include "support/effect_forms.hpp"
 
 namespace lacuna {

@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/effects/terms.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "lacuna/effects/forms.hpp"
-#include "lacuna/effects/patterns.hpp"
+#include "lacuna/effects/effects.hpp"
 #include "support/diagnosis_scope.hpp"
 #include "support/effect_forms.hpp"
 

@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "lacuna/core/base/options.hpp"
-#include "lacuna/core/base/stage.hpp"
 
 namespace lacuna {
 

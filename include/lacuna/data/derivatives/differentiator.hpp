@@ -4,7 +4,7 @@
 #include <memory>
 #include <optional>
 
-#include "lacuna/core/base/stage.hpp"
+#include "lacuna/core/base/options.hpp"
 #include "lacuna/core/base/types.hpp"
 #include "lacuna/data/records/dataset.hpp"
 

@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "lacuna/data/records/trajectory.hpp"
+#include "lacuna/data/records/dataset.hpp"
 
 namespace lacuna {
 

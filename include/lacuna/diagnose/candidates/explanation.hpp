@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "lacuna/core/base/run_context.hpp"
-#include "lacuna/forms/candidate/candidate.hpp"
+#include "lacuna/forms/candidate/effect.hpp"
 #include "lacuna/trajectories/smoother/assimilation.hpp"
 
 namespace lacuna {

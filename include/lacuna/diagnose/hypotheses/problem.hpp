@@ -9,7 +9,7 @@
 
 #include "lacuna/core/base/run_context.hpp"
 #include "lacuna/diagnose/candidates/explanation.hpp"
-#include "lacuna/diagnose/options.hpp"
+#include "lacuna/diagnose/criterion/options.hpp"
 #include "lacuna/records/binding/bound_records.hpp"
 
 namespace lacuna {

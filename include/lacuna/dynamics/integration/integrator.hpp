@@ -5,9 +5,8 @@
 #include <span>
 #include <string>
 
-#include "lacuna/core/base/function_ref.hpp"
+#include "lacuna/core/base/options.hpp"
 #include "lacuna/core/base/run_context.hpp"
-#include "lacuna/core/base/stage.hpp"
 #include "lacuna/core/base/types.hpp"
 
 namespace lacuna {

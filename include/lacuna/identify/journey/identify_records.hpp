@@ -6,11 +6,12 @@
 #include <string>
 #include <vector>
 
+#include "lacuna/dynamics/integration/integrators.hpp"
 #include "lacuna/dynamics/integration/synchroniser.hpp"
-#include "lacuna/dynamics/integrators.hpp"
-#include "lacuna/effects/effect_family.hpp"
+#include "lacuna/effects/effects.hpp"
 #include "lacuna/identify/options.hpp"
 #include "lacuna/identify/pipeline/presets.hpp"
+#include "lacuna/identify/validation/sync_verdict.hpp"
 
 namespace lacuna {
 

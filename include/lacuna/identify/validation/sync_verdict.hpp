@@ -4,10 +4,9 @@
 #include <optional>
 #include <string>
 
-#include "lacuna/core/base/admission.hpp"
-#include "lacuna/core/base/options.hpp"
-#include "lacuna/core/base/stage.hpp"
+#include "lacuna/core/base/stages_done.hpp"
 #include "lacuna/dynamics/integration/synchroniser.hpp"
+#include "lacuna/identify/options.hpp"
 #include "lacuna/model/equations/adequacy.hpp"
 
 namespace lacuna {
@@ -20,21 +19,6 @@ struct SyncVerdict {
   std::optional<std::string> equation = {};  ///< state whose equation has to be helped most
   std::string sentence;                      ///< for people
   Adequacy adequacy = {};                    ///< of the slave, by measured states
-};
-
-/// When a slave counts as being with the record. docs/decisions.md says what each trades.
-struct SyncVerdictOptions {
-  static constexpr StageInfo kInfo{"sync", "When a model holds on a record that drives it", ""};
-
-  double above_noise = 2.0;
-  double above_response = 1.25;
-  double follows = 0.1;
-  double resolution = 1e-4;
-  int pieces = 40;
-  double least_held = 0.1;
-  double forgotten = 0.01;
-
-  void describe(OptionVisitor& visitor);
 };
 
 /// Whether a verdict on a synchronisation may be given: not where a limit left out a stage.

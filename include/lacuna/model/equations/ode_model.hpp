@@ -1,19 +1,106 @@
 // SPDX-License-Identifier: MIT
+// Models: equations of terms, events, laws of noise.
 #pragma once
 
 #include <array>
 #include <cstddef>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "lacuna/core/base/types.hpp"
 #include "lacuna/data/records/dataset.hpp"
-#include "lacuna/model/equations/event.hpp"
-#include "lacuna/model/equations/noise_law.hpp"
 #include "lacuna/model/equations/term.hpp"
+#include "lacuna/model/expressions/expression.hpp"
 
 namespace lacuna {
+
+/// What becomes of one state at an event.
+struct Reset {
+  std::string state;
+  Expression value = {};  ///< behind the event, of what is just before it
+
+  bool operator==(const Reset&) const = default;
+};
+
+/// An instant at which states jump: at a time, at equal distances of time, or where a quantity
+/// rises through 0. All resets of one event see the states before it.
+struct Event {
+  std::optional<double> time = {};       ///< of the first one; nothing: where `guard` rises
+  std::optional<double> period = {};     ///< > 0, to the next one; nothing: there is one
+  std::optional<double> last = {};       ///< none comes behind this time
+  std::optional<Expression> guard = {};  ///< happens where it rises through 0
+  std::vector<Reset> resets = {};
+
+  bool operator==(const Event&) const = default;
+};
+
+/// One happening of a timed event.
+struct Occurrence {
+  double time = 0.0;
+  std::size_t event = 0;  ///< its number
+};
+
+/// What timed events do in [begin, end], by time; those of one time in the order of the events.
+/// @throws ModelError for more than a million of them.
+std::vector<Occurrence> occurrences(const std::vector<Event>& events, double begin, double end);
+
+/// The events with formulas in the place of names, as substitute().
+std::vector<Event> substituted(std::vector<Event> events,
+                               const std::map<std::string, Expression>& replacements);
+
+/// What is in front of the resets: "at 4", "every 12 from 0 until 96", "when x > c".
+std::string occasion_text(const Event& event);
+
+/// A reset as it is written: "x += D", "v = -0.9*v".
+std::string to_text(const Reset& reset);
+
+/// How measured values are spread about the value y of the model. Numbers a and b are > 0.
+enum class NoiseForm {
+  Constant,      ///< normal, deviation a
+  Proportional,  ///< normal, deviation b |y|
+  Both,          ///< normal, deviation sqrt(a^2 + b^2 y^2)
+  LogNormal,     ///< the logarithm is normal about log y, deviation b
+  Poisson,       ///< as of counts: normal, variance a y
+  Student        ///< y + a times Student's distribution: rare large errors
+};
+
+/// The law of the noise of an output.
+struct NoiseLaw {
+  NoiseForm form = NoiseForm::Constant;
+  std::optional<double> constant = {};  ///< a where it is known; nothing: it is estimated
+  std::optional<double> fraction = {};  ///< b where it is known; nothing: it is estimated
+  double freedom = 4.0;                 ///< degrees of freedom of Student's distribution, > 2
+  /// Limit of quantification, in the unit of the output: a value at it or below says that the
+  /// measured one was not above it.
+  std::optional<double> below = {};
+  std::optional<double> above = {};  ///< the same at the other end: values are clipped there
+  /// Values beyond the limits are never recorded, in the place of being known to lie there: the
+  /// density of a value is that of the law over the probability of what is between the limits.
+  bool truncated = false;
+
+  bool operator==(const NoiseLaw&) const = default;
+};
+
+/// "constant", "proportional", "both", "lognormal", "poisson", "student".
+std::string to_string(NoiseForm form);
+
+/// The law of such a name; nothing for another word.
+std::optional<NoiseForm> noise_form_named(const std::string& name);
+
+/// Whether the law has a number a.
+bool has_constant(NoiseForm form);
+
+/// Whether the law has a number b.
+bool has_fraction(NoiseForm form);
+
+/// What is wrong with a law; empty where nothing is.
+std::string law_problem(const NoiseLaw& law);
+
+/// As it is written behind an output: "noise both 0.1 0.05 below 0.2".
+std::string to_text(const NoiseLaw& law);
 
 /// One summand of an equation: coefficient times term.
 struct WeightedTerm {
@@ -224,5 +311,37 @@ std::optional<Index> state_of(const OdeModel& model, const Output& output);
 /// unrounded unless a number of significant digits is given, so that what is printed is the
 /// model.
 std::string to_text(const OdeModel& model, std::optional<int> significant_digits = {});
+
+/// A model from formulas that are written in C++, one right-hand side for each state:
+/// @code
+///   const auto th = Expression::variable("th"), w = Expression::variable("w");
+///   const OdeModel pendulum =
+///       written_model({{"th", "rad"}, {"w", "rad/s"}}, {w, -19.62 * sin(th) - 0.15 * w});
+/// @endcode
+/// Formulas become sums of coefficients times terms as those of a text (parse_ode()): products
+/// are multiplied out over sums, so that 10 * (y - x) is 10 y - 10 x.
+/// @param states m, with their units.
+/// @param rates m formulas in states, inputs and t, in state units per time unit.
+/// @param inputs p.
+/// @throws ModelError naming the state: another number of formulas than of states, an unknown
+///   name, a coefficient that is not finite; and as the constructor of OdeModel.
+OdeModel written_model(const std::vector<Quantity>& states,
+                       const std::vector<Expression>& rates,
+                       const std::vector<Quantity>& inputs = {},
+                       const std::string& time_unit = "s");
+
+/// How a found model compares with the true one.
+struct ModelAccuracy {
+  bool exact_structure = false;  ///< the same terms in every equation
+  double largest_error = 0.0;    ///< max |h_found - h_true| / max |h_true|
+  /// ||Xi_found - Xi_true|| / ||Xi_true||, spectral norms of the matrices states x terms.
+  double relative_error = 0.0;
+};
+
+/// Compares structure and coefficients, term by term; a term that one of them lacks has the
+/// coefficient 0 there. Errors are not finite where all true coefficients are 0.
+/// @param found m states, in the order of `truth`; terms by their names.
+/// @throws ArgumentError when the models have other numbers of states.
+ModelAccuracy compare_models(const OdeModel& found, const OdeModel& truth);
 
 }  // namespace lacuna

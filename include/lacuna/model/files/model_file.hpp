@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Files of models.
 #pragma once
 
 #include <filesystem>
@@ -36,5 +37,38 @@ std::string format_model_for(const std::filesystem::path& path, const SystemMode
 /// Writes the model so, whole or not at all. @throws
 /// FileError when it cannot be written.
 void write_model(const std::filesystem::path& path, const SystemModel& model);
+
+/// Reads a model from text with one statement a line (`#` starts a comment):
+///
+///     time s
+///     input u [V] hold zero
+///     state x1 [V]
+///     param k = 1/20 [1/s] in 0..1
+///     param T = 2 fixed
+///     dx1/dt = -k*sqrt(x1) + 0.5*delay(u,T)
+///     y = abs(x1) [V]
+///     initial x1 = 0 fixed
+///
+/// States are those that have an equation, in the order in which they are named first; `state`
+/// gives a unit. A parameter is a number with a name. Formulas become sums of coefficients
+/// times terms: products are multiplied out over sums (x*(28-z) is 28 x - x*z), numbers in
+/// front of a term are its coefficient. `NAME = FORMULA` is an output. `initial` gives a start,
+/// which may be `fixed` or have a `deviation`.
+///
+/// A text with free parameters says by them what is to be estimated: a term without a number in
+/// front of it is taken as it stands there (WeightedTerm::fixed). `free dx1/dt: TERM` and
+/// `fixed dx1/dt: TERM` say it of one term.
+/// @param text UTF-8; what is not is read as Latin-1.
+/// @param source name for messages.
+/// @throws ModelError with source, line and column: a statement that is none, an unknown or
+///   repeated name, a formula that cannot be read, a parameter that is not in its range.
+SystemModel parse_ode_system(std::string_view text, const std::string& source);
+
+/// The same with numbers for the parameters.
+OdeModel parse_ode(std::string_view text, const std::string& source);
+
+/// The model as such text; parse_ode_system() gives a model with the same right-hand sides.
+/// Errors and intervals of coefficients are left out.
+std::string format_ode(const SystemModel& model);
 
 }  // namespace lacuna

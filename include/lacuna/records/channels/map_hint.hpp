@@ -4,7 +4,6 @@
 #include <optional>
 
 #include "lacuna/core/base/options.hpp"
-#include "lacuna/core/base/stage.hpp"
 #include "lacuna/data/records/dataset.hpp"
 #include "lacuna/records/channels/hint.hpp"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "lacuna/core/base/stage.hpp"
+#include "lacuna/core/base/options.hpp"
 #include "lacuna/model/equations/term.hpp"
 
 namespace lacuna {

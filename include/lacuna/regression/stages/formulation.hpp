@@ -4,8 +4,8 @@
 #include <memory>
 #include <optional>
 
+#include "lacuna/core/base/options.hpp"
 #include "lacuna/core/base/run_context.hpp"
-#include "lacuna/core/base/stage.hpp"
 #include "lacuna/data/long_records.hpp"
 #include "lacuna/model/equations/ode_model.hpp"
 #include "lacuna/model/equations/term.hpp"

@@ -12,21 +12,6 @@
 
 namespace lacuna {
 
-/// A coefficient of a model by its place.
-struct CoefficientPlace {
-  Index equation = 0;
-  Index term = 0;
-
-  bool operator==(const CoefficientPlace&) const = default;
-};
-
-/// What is known beforehand about a coefficient: mean and standard deviation.
-struct CoefficientPrior {
-  CoefficientPlace place;
-  double mean = 0.0;
-  double deviation = 0.0;
-};
-
 /// A summand of what is measured of a state: coefficient x form, with the form taken on the
 /// path.
 struct ChannelTerm {

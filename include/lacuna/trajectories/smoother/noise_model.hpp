@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+// What a model and records are fitted with besides the equations: coefficients that are free
+// and what is known of them, noise of the measurement, disturbances.
 #pragma once
 
 #include <optional>
@@ -7,6 +9,21 @@
 #include "lacuna/core/base/types.hpp"
 
 namespace lacuna {
+
+/// A coefficient of a model by its place.
+struct CoefficientPlace {
+  Index equation = 0;
+  Index term = 0;
+
+  bool operator==(const CoefficientPlace&) const = default;
+};
+
+/// What is known beforehand about a coefficient: mean and standard deviation.
+struct CoefficientPrior {
+  CoefficientPlace place;
+  double mean = 0.0;
+  double deviation = 0.0;
+};
 
 /// Measurement noise with a memory: an Ornstein-Uhlenbeck process that is added to a channel.
 struct ColouredNoise {

@@ -2,7 +2,6 @@
 // The minimum of a smooth function of few numbers of which there are values only.
 #pragma once
 
-#include "lacuna/core/base/function_ref.hpp"
 #include "lacuna/core/base/run_context.hpp"
 #include "lacuna/core/base/types.hpp"
 

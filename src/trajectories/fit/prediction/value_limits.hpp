@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include "lacuna/model/equations/noise_law.hpp"
+#include "lacuna/model/equations/ode_model.hpp"
 
 namespace lacuna {
 

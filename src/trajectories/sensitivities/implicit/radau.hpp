@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "lacuna/core/base/function_ref.hpp"
+#include "lacuna/core/base/types.hpp"
 #include "trajectories/sensitivities/implicit/radau_system.hpp"
 #include "trajectories/sensitivities/rates.hpp"
 

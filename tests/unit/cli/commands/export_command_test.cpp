@@ -8,7 +8,7 @@
 #include <string>
 
 #include "lacuna/model/export/export_model.hpp"
-#include "lacuna/model/files/ode_text.hpp"
+#include "lacuna/model/files/model_file.hpp"
 #include "unit/cli/commands/records.hpp"
 
 namespace lacuna {

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "cli/commands/command.hpp"
-#include "lacuna/diagnose/options.hpp"
+#include "lacuna/diagnose/criterion/options.hpp"
 #include "lacuna/trajectories/fit/fit.hpp"
 #include "unit/cli/commands/records.hpp"
 

@@ -9,7 +9,7 @@
 
 #include "cli/start/skeleton.hpp"
 #include "lacuna/core/base/error.hpp"
-#include "lacuna/model/files/ode_text.hpp"
+#include "lacuna/model/files/model_file.hpp"
 
 namespace lacuna::cli {
 namespace {

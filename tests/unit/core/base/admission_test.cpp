@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/core/base/admission.hpp"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+
+#include "lacuna/core/base/stages_done.hpp"
 
 namespace lacuna {
 namespace {

@@ -12,10 +12,9 @@
 #include <vector>
 
 #include "core/base/parallel.hpp"
-#include "lacuna/core/base/function_ref.hpp"
 #include "lacuna/core/base/options.hpp"
-#include "lacuna/core/base/stage.hpp"
 #include "lacuna/core/base/stages_done.hpp"
+#include "lacuna/core/base/types.hpp"
 #include "support/expect_error.hpp"
 
 namespace lacuna {

@@ -9,8 +9,6 @@
 
 #include "data/records/state_statistics.hpp"
 #include "lacuna/core/base/error.hpp"
-#include "lacuna/data/records/hold.hpp"
-#include "lacuna/data/records/trajectory.hpp"
 #include "support/expect_error.hpp"
 
 namespace lacuna {

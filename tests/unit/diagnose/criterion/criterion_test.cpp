@@ -12,7 +12,7 @@
 #include "diagnose/criterion/holdout.hpp"
 #include "diagnose/criterion/shape_bounds.hpp"
 #include "lacuna/core/base/options.hpp"
-#include "lacuna/diagnose/options.hpp"
+#include "lacuna/diagnose/criterion/options.hpp"
 #include "lacuna/trajectories/smoother/disturbance_test.hpp"
 #include "support/assimilated_oscillator.hpp"
 

@@ -11,7 +11,7 @@
 #include "diagnose/hints/motion_hints.hpp"
 #include "diagnose/hints/unit_hints.hpp"
 #include "diagnose/hints/unused_columns.hpp"
-#include "lacuna/model/files/ode_text.hpp"
+#include "lacuna/model/files/model_file.hpp"
 #include "lacuna/records/binding/read_records.hpp"
 #include "support/diagnosis_scope.hpp"
 #include "support/driven_oscillator.hpp"

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "core/base/random.hpp"
-#include "lacuna/model/files/ode_text.hpp"
+#include "lacuna/model/files/model_file.hpp"
 #include "support/asked.hpp"
 #include "support/assimilated_oscillator.hpp"
 #include "support/held_oscillator.hpp"

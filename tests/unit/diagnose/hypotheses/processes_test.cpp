@@ -10,7 +10,7 @@
 #include "diagnose/hypotheses/shared_process.hpp"
 #include "diagnose/hypotheses/unmeasured_input.hpp"
 #include "effects/families.hpp"
-#include "lacuna/model/files/ode_text.hpp"
+#include "lacuna/model/files/model_file.hpp"
 #include "support/asked.hpp"
 #include "support/assimilated_oscillator.hpp"
 

@@ -10,7 +10,7 @@
 #include "diagnose/journey/coefficient_changes.hpp"
 #include "diagnose/journey/identifiability.hpp"
 #include "lacuna/diagnose/diagnose.hpp"
-#include "lacuna/model/files/ode_text.hpp"
+#include "lacuna/model/files/model_file.hpp"
 #include "support/asked.hpp"
 #include "support/assimilated_oscillator.hpp"
 #include "support/own_effects.hpp"

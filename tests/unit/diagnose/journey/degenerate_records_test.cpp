@@ -19,7 +19,7 @@
 #include "lacuna/dynamics/integration/synchroniser.hpp"
 #include "lacuna/identify/pipeline/presets.hpp"
 #include "lacuna/model/export/export_model.hpp"
-#include "lacuna/model/files/ode_text.hpp"
+#include "lacuna/model/files/model_file.hpp"
 #include "lacuna/records/binding/model_view.hpp"
 #include "lacuna/trajectories/fit/fit.hpp"
 #include "support/expect_error.hpp"

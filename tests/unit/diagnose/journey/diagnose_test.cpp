@@ -12,7 +12,7 @@
 #include "effects/families.hpp"
 #include "lacuna/core/base/error.hpp"
 #include "lacuna/data/records/marks.hpp"
-#include "lacuna/model/files/ode_text.hpp"
+#include "lacuna/model/files/model_file.hpp"
 #include "lacuna/records/binding/model_view.hpp"
 #include "support/assimilated_oscillator.hpp"
 #include "support/own_effects.hpp"

@@ -12,7 +12,6 @@
 #include "diagnose/hypotheses/input_holds.hpp"
 #include "lacuna/cli/configuration/registry.hpp"
 #include "lacuna/model/files/model_file.hpp"
-#include "lacuna/model/files/ode_text.hpp"
 #include "support/asked.hpp"
 #include "support/one_record.hpp"
 

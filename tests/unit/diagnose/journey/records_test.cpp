@@ -15,7 +15,7 @@
 #include "diagnose/journey/output_channels.hpp"
 #include "lacuna/data/records/marks.hpp"
 #include "lacuna/diagnose/diagnose.hpp"
-#include "lacuna/model/files/ode_text.hpp"
+#include "lacuna/model/files/model_file.hpp"
 #include "lacuna/records/binding/model_view.hpp"
 #include "support/assimilated_oscillator.hpp"
 #include "support/driven_oscillator.hpp"

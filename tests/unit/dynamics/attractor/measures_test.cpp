@@ -17,7 +17,6 @@
 #include "lacuna/core/base/error.hpp"
 #include "lacuna/dynamics/attractor/comparison.hpp"
 #include "lacuna/dynamics/integration/simulate.hpp"
-#include "lacuna/dynamics/test_systems/measurement.hpp"
 #include "lacuna/dynamics/test_systems/test_systems.hpp"
 
 namespace lacuna {

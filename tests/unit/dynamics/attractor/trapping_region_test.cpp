@@ -10,7 +10,7 @@
 #include "dynamics/integration/runge_kutta.hpp"
 #include "lacuna/dynamics/integration/simulate.hpp"
 #include "lacuna/dynamics/test_systems/test_systems.hpp"
-#include "lacuna/model/files/ode_text.hpp"
+#include "lacuna/model/files/model_file.hpp"
 
 namespace lacuna {
 namespace {

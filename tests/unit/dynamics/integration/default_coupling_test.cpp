@@ -6,7 +6,6 @@
 #include "dynamics/integration/runge_kutta.hpp"
 #include "lacuna/dynamics/integration/simulate.hpp"
 #include "lacuna/dynamics/integration/synchroniser.hpp"
-#include "lacuna/dynamics/test_systems/measurement.hpp"
 #include "lacuna/dynamics/test_systems/test_systems.hpp"
 
 namespace lacuna {

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "dynamics/integration/runge_kutta.hpp"
-#include "lacuna/model/files/ode_text.hpp"
+#include "lacuna/model/files/model_file.hpp"
 
 namespace lacuna {
 namespace {

@@ -13,7 +13,6 @@
 #include "dynamics/integration/runge_kutta.hpp"
 #include "lacuna/core/base/error.hpp"
 #include "lacuna/dynamics/integration/integrator.hpp"
-#include "lacuna/dynamics/integration/record_input.hpp"
 
 namespace lacuna {
 namespace {

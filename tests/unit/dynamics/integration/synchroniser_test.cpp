@@ -12,9 +12,8 @@
 #include "lacuna/core/base/error.hpp"
 #include "lacuna/data/records/marks.hpp"
 #include "lacuna/dynamics/integration/simulate.hpp"
-#include "lacuna/dynamics/test_systems/measurement.hpp"
 #include "lacuna/dynamics/test_systems/test_systems.hpp"
-#include "lacuna/model/files/ode_text.hpp"
+#include "lacuna/model/files/model_file.hpp"
 #include "support/one_record.hpp"
 
 namespace lacuna {

@@ -18,7 +18,6 @@
 #include "lacuna/core/base/error.hpp"
 #include "lacuna/data/formats/write.hpp"
 #include "lacuna/dynamics/integration/simulate.hpp"
-#include "lacuna/dynamics/test_systems/measurement.hpp"
 #include "support/one_record.hpp"
 #include "support/temporary_folder.hpp"
 

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
 // Candidates, the scope and the forms that effects propose.
-#include "lacuna/forms/candidate/candidate.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -11,10 +9,9 @@
 #include "forms/candidate/nesting.hpp"
 #include "forms/candidate/tone.hpp"
 #include "lacuna/core/base/error.hpp"
-#include "lacuna/effects/forms.hpp"
+#include "lacuna/effects/effects.hpp"
 #include "lacuna/forms/candidate/effect.hpp"
-#include "lacuna/forms/candidate/scope.hpp"
-#include "lacuna/model/files/ode_text.hpp"
+#include "lacuna/model/files/model_file.hpp"
 #include "support/diagnosis_scope.hpp"
 #include "support/effect_forms.hpp"
 #include "support/expect_error.hpp"

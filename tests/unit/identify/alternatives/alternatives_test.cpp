@@ -8,7 +8,6 @@
 
 #include "bases/monomials.hpp"
 #include "dynamics/integration/runge_kutta.hpp"
-#include "lacuna/dynamics/test_systems/measurement.hpp"
 #include "lacuna/dynamics/test_systems/test_systems.hpp"
 #include "lacuna/identify/pipeline/presets.hpp"
 #include "unit/identify/pipeline/records.hpp"

@@ -10,7 +10,7 @@
 #include "identify/dead_time/delayed_inputs.hpp"
 #include "identify/dead_time/screened_dead_times.hpp"
 #include "lacuna/identify/journey/identify_records.hpp"
-#include "lacuna/model/files/ode_text.hpp"
+#include "lacuna/model/files/model_file.hpp"
 #include "support/one_record.hpp"
 
 namespace lacuna {

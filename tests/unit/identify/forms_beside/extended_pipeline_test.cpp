@@ -13,7 +13,7 @@
 #include "identify/forms_beside/function_forms.hpp"
 #include "identify/forms_beside/model_comparison.hpp"
 #include "lacuna/data/records/noise.hpp"
-#include "lacuna/dynamics/test_systems/measurement.hpp"
+#include "lacuna/dynamics/test_systems/test_systems.hpp"
 #include "lacuna/identify/pipeline/presets.hpp"
 #include "support/one_record.hpp"
 

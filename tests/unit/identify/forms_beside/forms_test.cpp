@@ -14,9 +14,8 @@
 #include "identify/forms_beside/product_forms.hpp"
 #include "identify/forms_beside/rational_forms.hpp"
 #include "lacuna/cli/configuration/registry.hpp"
-#include "lacuna/dynamics/test_systems/measurement.hpp"
 #include "lacuna/dynamics/test_systems/test_systems.hpp"
-#include "lacuna/model/files/ode_text.hpp"
+#include "lacuna/model/files/model_file.hpp"
 #include "support/noisy_records.hpp"
 #include "support/one_record.hpp"
 

@@ -9,11 +9,10 @@
 
 #include "dynamics/integration/runge_kutta.hpp"
 #include "lacuna/cli/configuration/registry.hpp"
-#include "lacuna/dynamics/test_systems/measurement.hpp"
 #include "lacuna/dynamics/test_systems/test_systems.hpp"
 #include "lacuna/identify/options.hpp"
 #include "lacuna/identify/pipeline/presets.hpp"
-#include "lacuna/model/files/ode_text.hpp"
+#include "lacuna/model/files/model_file.hpp"
 
 namespace lacuna {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "core/base/random.hpp"
 #include "identify/free_runs/averaged_records.hpp"
-#include "lacuna/model/files/ode_text.hpp"
+#include "lacuna/model/files/model_file.hpp"
 #include "support/one_record.hpp"
 
 namespace lacuna {

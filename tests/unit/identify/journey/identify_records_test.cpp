@@ -6,9 +6,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "dynamics/integration/runge_kutta.hpp"
 #include "lacuna/dynamics/integration/simulate.hpp"
-#include "lacuna/dynamics/test_systems/measurement.hpp"
-#include "lacuna/model/files/ode_text.hpp"
+#include "lacuna/dynamics/test_systems/test_systems.hpp"
+#include "lacuna/model/files/model_file.hpp"
 
 namespace lacuna {
 namespace {

@@ -14,7 +14,7 @@
 #include "identify/journey/plain_terms.hpp"
 #include "lacuna/identify/journey/identify_records.hpp"
 #include "lacuna/identify/pipeline/presets.hpp"
-#include "lacuna/model/files/ode_text.hpp"
+#include "lacuna/model/files/model_file.hpp"
 #include "regression/formulations/next_sample.hpp"
 #include "support/one_record.hpp"
 #include "trajectories/refiners/no_refiner.hpp"

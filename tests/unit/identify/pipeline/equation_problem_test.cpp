@@ -17,7 +17,7 @@
 #include "identify/pipeline/given_rates.hpp"
 #include "lacuna/core/base/error.hpp"
 #include "lacuna/identify/pipeline/presets.hpp"
-#include "lacuna/model/files/ode_text.hpp"
+#include "lacuna/model/files/model_file.hpp"
 #include "solvers/ols.hpp"
 #include "trajectories/refiners/no_refiner.hpp"
 #include "unit/identify/pipeline/records.hpp"

@@ -13,7 +13,6 @@
 #include "data/derivatives/finite_differences.hpp"
 #include "lacuna/dynamics/integration/synchroniser.hpp"
 #include "lacuna/identify/pipeline/presets.hpp"
-#include "lacuna/identify/pipeline/validation.hpp"
 #include "regression/filters/none.hpp"
 #include "regression/formulations/strong_form.hpp"
 #include "regression/pruners/keep_all.hpp"

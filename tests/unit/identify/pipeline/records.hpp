@@ -8,7 +8,6 @@
 
 #include "core/base/random.hpp"
 #include "dynamics/integration/runge_kutta.hpp"
-#include "lacuna/dynamics/test_systems/measurement.hpp"
 #include "lacuna/dynamics/test_systems/test_systems.hpp"
 #include "lacuna/identify/pipeline/pipeline.hpp"
 

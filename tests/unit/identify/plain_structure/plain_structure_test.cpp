@@ -12,7 +12,7 @@
 #include "data/derivatives/finite_differences.hpp"
 #include "identify/plain_structure/plain_equations.hpp"
 #include "lacuna/identify/journey/identify_records.hpp"
-#include "lacuna/model/files/ode_text.hpp"
+#include "lacuna/model/files/model_file.hpp"
 #include "lacuna/records/binding/embedding.hpp"
 
 namespace lacuna {

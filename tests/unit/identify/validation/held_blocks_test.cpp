@@ -16,10 +16,9 @@
 #include "identify/validation/validate.hpp"
 #include "lacuna/cli/configuration/configuration.hpp"
 #include "lacuna/data/records/marks.hpp"
-#include "lacuna/dynamics/test_systems/measurement.hpp"
 #include "lacuna/dynamics/test_systems/test_systems.hpp"
 #include "lacuna/identify/pipeline/presets.hpp"
-#include "lacuna/model/files/ode_text.hpp"
+#include "lacuna/model/files/model_file.hpp"
 #include "support/maps.hpp"
 
 namespace lacuna {

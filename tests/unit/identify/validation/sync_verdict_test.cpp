@@ -10,8 +10,8 @@
 #include "core/base/text.hpp"
 #include "dynamics/integration/runge_kutta.hpp"
 #include "lacuna/data/records/marks.hpp"
-#include "lacuna/dynamics/test_systems/measurement.hpp"
-#include "lacuna/model/files/ode_text.hpp"
+#include "lacuna/dynamics/test_systems/test_systems.hpp"
+#include "lacuna/model/files/model_file.hpp"
 
 namespace lacuna {
 namespace {

@@ -7,10 +7,9 @@
 #include "bases/expressions.hpp"
 #include "dynamics/integration/runge_kutta.hpp"
 #include "identify/validation/validate.hpp"
-#include "lacuna/dynamics/test_systems/measurement.hpp"
 #include "lacuna/dynamics/test_systems/test_systems.hpp"
 #include "lacuna/identify/pipeline/presets.hpp"
-#include "lacuna/model/files/ode_text.hpp"
+#include "lacuna/model/files/model_file.hpp"
 
 namespace lacuna::testing {
 

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/model/equations/kept_parameters.hpp"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "core/base/random.hpp"
+#include "lacuna/model/equations/system_model.hpp"
 #include "lacuna/model/files/model_file.hpp"
-#include "lacuna/model/files/ode_text.hpp"
 
 namespace lacuna {
 namespace {

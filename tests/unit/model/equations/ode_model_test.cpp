@@ -9,7 +9,7 @@
 #include <string>
 
 #include "lacuna/core/base/error.hpp"
-#include "lacuna/model/equations/parametrised_model.hpp"
+#include "lacuna/model/equations/system_model.hpp"
 
 namespace lacuna {
 namespace {

@@ -17,7 +17,6 @@
 #include "lacuna/data/records/roles.hpp"
 #include "lacuna/data/records/table.hpp"
 #include "lacuna/model/files/model_file.hpp"
-#include "lacuna/model/files/ode_text.hpp"
 #include "support/run_command.hpp"
 #include "support/temporary_folder.hpp"
 

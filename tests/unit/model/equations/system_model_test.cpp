@@ -12,7 +12,6 @@
 #include "lacuna/core/base/error.hpp"
 #include "lacuna/model/equations/ode_model.hpp"
 #include "lacuna/model/files/model_file.hpp"
-#include "lacuna/model/files/ode_text.hpp"
 #include "support/expect_error.hpp"
 
 namespace lacuna {

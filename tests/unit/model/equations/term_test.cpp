@@ -12,7 +12,7 @@
 #include "core/base/random.hpp"
 #include "lacuna/core/base/error.hpp"
 #include "lacuna/model/equations/rounding.hpp"
-#include "lacuna/model/files/ode_text.hpp"
+#include "lacuna/model/files/model_file.hpp"
 #include "model/equations/linear_terms.hpp"
 
 namespace lacuna {

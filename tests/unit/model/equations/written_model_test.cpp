@@ -1,18 +1,13 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/model/equations/written_model.hpp"
-
 #include <gtest/gtest.h>
 
 #include <limits>
 
 #include "lacuna/core/base/error.hpp"
 #include "lacuna/model/equations/adequacy.hpp"
-#include "lacuna/model/equations/compare_models.hpp"
-#include "lacuna/model/equations/event.hpp"
-#include "lacuna/model/equations/noise_law.hpp"
 #include "lacuna/model/equations/ode_model.hpp"
-#include "lacuna/model/expressions/functions.hpp"
-#include "lacuna/model/files/ode_text.hpp"
+#include "lacuna/model/expressions/expression.hpp"
+#include "lacuna/model/files/model_file.hpp"
 
 namespace lacuna {
 namespace {

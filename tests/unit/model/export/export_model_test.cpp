@@ -11,7 +11,7 @@
 #include "core/base/names.hpp"
 #include "core/base/text.hpp"
 #include "lacuna/core/base/error.hpp"
-#include "lacuna/model/files/ode_text.hpp"
+#include "lacuna/model/files/model_file.hpp"
 #include "model/equations/formula_channel.hpp"
 #include "model/export/languages.hpp"
 #include "support/other_programs.hpp"

@@ -8,7 +8,7 @@
 
 #include "core/base/random.hpp"
 #include "lacuna/core/base/error.hpp"
-#include "lacuna/model/files/ode_text.hpp"
+#include "lacuna/model/files/model_file.hpp"
 #include "model/export/dialect.hpp"
 #include "model/export/languages.hpp"
 #include "model/export/latex.hpp"

@@ -9,7 +9,6 @@
 #include <limits>
 
 #include "lacuna/core/base/error.hpp"
-#include "lacuna/model/expressions/functions.hpp"
 #include "lacuna/model/expressions/program.hpp"
 #include "model/expressions/domain.hpp"
 #include "unit/model/expressions/random_expression.hpp"

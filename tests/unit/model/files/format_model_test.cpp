@@ -12,7 +12,6 @@
 #include "core/base/random.hpp"
 #include "lacuna/model/equations/ode_model.hpp"
 #include "lacuna/model/files/model_file.hpp"
-#include "lacuna/model/files/ode_text.hpp"
 
 namespace lacuna {
 namespace {

@@ -6,7 +6,6 @@
 
 #include "lacuna/core/base/error.hpp"
 #include "lacuna/model/files/model_file.hpp"
-#include "lacuna/model/files/ode_text.hpp"
 #include "model/files/event_text.hpp"
 
 namespace lacuna {

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "lacuna/model/files/ode_text.hpp"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

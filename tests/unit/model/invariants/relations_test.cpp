@@ -9,9 +9,8 @@
 #include "core/base/random.hpp"
 #include "dynamics/integration/runge_kutta.hpp"
 #include "lacuna/core/base/error.hpp"
-#include "lacuna/dynamics/test_systems/measurement.hpp"
 #include "lacuna/dynamics/test_systems/test_systems.hpp"
-#include "lacuna/model/files/ode_text.hpp"
+#include "lacuna/model/files/model_file.hpp"
 #include "model/invariants/moments.hpp"
 #include "support/one_record.hpp"
 

@@ -8,7 +8,6 @@
 #include <functional>
 
 #include "dynamics/integration/runge_kutta.hpp"
-#include "lacuna/dynamics/test_systems/measurement.hpp"
 #include "lacuna/dynamics/test_systems/test_systems.hpp"
 #include "lacuna/records/channels/hint.hpp"
 #include "lacuna/records/channels/map_hint.hpp"

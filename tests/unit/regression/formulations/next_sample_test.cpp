@@ -7,7 +7,7 @@
 #include "bases/monomials.hpp"
 #include "lacuna/cli/configuration/configuration.hpp"
 #include "lacuna/identify/pipeline/pipeline.hpp"
-#include "lacuna/regression/linear/subproblem.hpp"
+#include "lacuna/regression/linear/least_squares_system.hpp"
 #include "support/expect_error.hpp"
 #include "support/maps.hpp"
 

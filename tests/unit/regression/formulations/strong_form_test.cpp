@@ -12,7 +12,7 @@
 #include "core/base/random.hpp"
 #include "data/derivatives/finite_differences.hpp"
 #include "data/derivatives/savitzky_golay.hpp"
-#include "lacuna/regression/linear/subproblem.hpp"
+#include "lacuna/regression/linear/least_squares_system.hpp"
 #include "regression/formulations/integral_form.hpp"
 #include "regression/formulations/projection.hpp"
 #include "regression/formulations/test_functions.hpp"

@@ -10,8 +10,6 @@
 
 #include "lacuna/core/base/error.hpp"
 #include "lacuna/regression/linear/least_squares_system.hpp"
-#include "lacuna/regression/linear/row_source.hpp"
-#include "lacuna/regression/linear/subproblem.hpp"
 #include "regression/linear/column_range.hpp"
 #include "regression/linear/weighted_rows.hpp"
 #include "support/monomials.hpp"

@@ -10,7 +10,6 @@
 #include <random>
 
 #include "lacuna/regression/linear/least_squares_system.hpp"
-#include "lacuna/regression/linear/subproblem.hpp"
 
 namespace lacuna {
 namespace {

@@ -9,8 +9,6 @@
 #include <stop_token>
 
 #include "lacuna/core/base/error.hpp"
-#include "lacuna/regression/linear/row_source.hpp"
-#include "lacuna/regression/linear/subproblem.hpp"
 
 namespace lacuna {
 namespace {

@@ -8,12 +8,8 @@
 
 #include "lacuna/core/base/options.hpp"
 #include "lacuna/regression/stages/basis.hpp"
-#include "lacuna/regression/stages/coefficient_constraint.hpp"
-#include "lacuna/regression/stages/l1_solver.hpp"
 #include "lacuna/regression/stages/refiner.hpp"
-#include "lacuna/regression/stages/regressor.hpp"
-#include "lacuna/regression/stages/term_filter.hpp"
-#include "lacuna/regression/stages/term_pruner.hpp"
+#include "lacuna/regression/stages/solvers.hpp"
 #include "support/one_record.hpp"
 #include "systems.hpp"
 

@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "lacuna/diagnose/hypotheses/composite_model.hpp"
 #include "lacuna/report/reports.hpp"
 #include "support/diagnosis_scope.hpp"
 #include "support/driven_oscillator.hpp"

@@ -2,7 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "lacuna/dynamics/test_systems/measurement.hpp"
+#include "dynamics/integration/runge_kutta.hpp"
 #include "lacuna/dynamics/test_systems/test_systems.hpp"
 #include "lacuna/identify/journey/identify_records.hpp"
 #include "lacuna/report/reports.hpp"

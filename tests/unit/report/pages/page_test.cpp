@@ -4,7 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "lacuna/model/files/ode_text.hpp"
+#include "lacuna/model/files/model_file.hpp"
 #include "report/pages/folded_text.hpp"
 #include "report/pages/invariant_text.hpp"
 #include "report/pages/readable.hpp"

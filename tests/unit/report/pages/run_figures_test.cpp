@@ -8,7 +8,7 @@
 #include <map>
 #include <variant>
 
-#include "lacuna/model/files/ode_text.hpp"
+#include "lacuna/model/files/model_file.hpp"
 #include "report/pages/pages.hpp"
 
 namespace lacuna {

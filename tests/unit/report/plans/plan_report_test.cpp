@@ -4,7 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "lacuna/model/files/ode_text.hpp"
+#include "lacuna/model/files/model_file.hpp"
 #include "lacuna/report/reports.hpp"
 #include "report/plans/plan_parts.hpp"
 #include "support/expect_error.hpp"

@@ -8,7 +8,7 @@
 
 #include "core/base/random.hpp"
 #include "data/derivatives/finite_differences.hpp"
-#include "lacuna/model/files/ode_text.hpp"
+#include "lacuna/model/files/model_file.hpp"
 #include "lacuna/records/binding/model_view.hpp"
 #include "lacuna/trajectories/design/plan.hpp"
 #include "support/one_record.hpp"

@@ -8,7 +8,7 @@
 #include <cmath>
 
 #include "core/base/random.hpp"
-#include "lacuna/model/files/ode_text.hpp"
+#include "lacuna/model/files/model_file.hpp"
 #include "support/expect_error.hpp"
 #include "trajectories/design/evidence.hpp"
 #include "trajectories/design/refit.hpp"

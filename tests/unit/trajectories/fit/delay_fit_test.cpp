@@ -10,7 +10,7 @@
 #include "dynamics/integration/runge_kutta.hpp"
 #include "lacuna/core/base/error.hpp"
 #include "lacuna/dynamics/integration/simulate.hpp"
-#include "lacuna/model/files/ode_text.hpp"
+#include "lacuna/model/files/model_file.hpp"
 #include "lacuna/trajectories/fit/fit.hpp"
 #include "support/one_record.hpp"
 #include "trajectories/fit/starts/fit_windows.hpp"

@@ -9,9 +9,8 @@
 #include <numbers>
 
 #include "core/base/random.hpp"
-#include "lacuna/model/files/ode_text.hpp"
+#include "lacuna/model/files/model_file.hpp"
 #include "lacuna/trajectories/fit/fit.hpp"
-#include "lacuna/trajectories/fit/rivals.hpp"
 #include "support/expect_error.hpp"
 #include "support/grey_box.hpp"
 

@@ -13,7 +13,7 @@
 #include "core/base/random.hpp"
 #include "data/derivatives/finite_differences.hpp"
 #include "lacuna/core/base/error.hpp"
-#include "lacuna/model/files/ode_text.hpp"
+#include "lacuna/model/files/model_file.hpp"
 #include "lacuna/records/binding/model_view.hpp"
 #include "lacuna/trajectories/fit/fit.hpp"
 #include "support/expect_error.hpp"

@@ -13,7 +13,7 @@
 #include "core/base/random.hpp"
 #include "lacuna/core/base/error.hpp"
 #include "lacuna/dynamics/integration/simulate.hpp"
-#include "lacuna/model/files/ode_text.hpp"
+#include "lacuna/model/files/model_file.hpp"
 #include "lacuna/trajectories/fit/fit.hpp"
 #include "support/grey_box.hpp"
 #include "trajectories/fit/estimated_sizes.hpp"

@@ -14,7 +14,7 @@
 #include "lacuna/core/base/error.hpp"
 #include "lacuna/core/statistics/interval.hpp"
 #include "lacuna/dynamics/integration/simulate.hpp"
-#include "lacuna/model/files/ode_text.hpp"
+#include "lacuna/model/files/model_file.hpp"
 #include "lacuna/records/binding/model_view.hpp"
 #include "lacuna/trajectories/fit/fit.hpp"
 

@@ -5,9 +5,8 @@
 #include <string>
 
 #include "dynamics/integration/runge_kutta.hpp"
-#include "lacuna/dynamics/test_systems/measurement.hpp"
 #include "lacuna/dynamics/test_systems/test_systems.hpp"
-#include "lacuna/model/equations/parametrised_model.hpp"
+#include "lacuna/model/equations/system_model.hpp"
 
 namespace lacuna::testing {
 

@@ -8,8 +8,8 @@
 
 #include "dynamics/integration/runge_kutta.hpp"
 #include "lacuna/data/records/marks.hpp"
-#include "lacuna/dynamics/test_systems/measurement.hpp"
-#include "lacuna/model/files/ode_text.hpp"
+#include "lacuna/dynamics/test_systems/test_systems.hpp"
+#include "lacuna/model/files/model_file.hpp"
 #include "support/driven_oscillator.hpp"
 #include "support/one_record.hpp"
 #include "trajectories/smoother/unknown_past.hpp"

@@ -15,7 +15,6 @@
 #include "core/base/random.hpp"
 #include "dynamics/integration/runge_kutta.hpp"
 #include "lacuna/core/base/error.hpp"
-#include "lacuna/dynamics/test_systems/measurement.hpp"
 #include "lacuna/dynamics/test_systems/test_systems.hpp"
 #include "support/correlated_rows.hpp"
 #include "support/lorenz96.hpp"

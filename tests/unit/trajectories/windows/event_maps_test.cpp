@@ -10,7 +10,7 @@
 #include "core/base/random.hpp"
 #include "dynamics/integration/runge_kutta.hpp"
 #include "lacuna/dynamics/integration/simulate.hpp"
-#include "lacuna/model/files/ode_text.hpp"
+#include "lacuna/model/files/model_file.hpp"
 #include "lacuna/trajectories/fit/fit.hpp"
 #include "trajectories/fit/fit_engine.hpp"
 

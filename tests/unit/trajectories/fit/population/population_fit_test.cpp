@@ -10,7 +10,7 @@
 #include "lacuna/core/statistics/interval.hpp"
 #include "lacuna/data/records/marks.hpp"
 #include "lacuna/report/reports.hpp"
-#include "lacuna/trajectories/fit/rivals.hpp"
+#include "lacuna/trajectories/fit/fit.hpp"
 #include "support/expect_error.hpp"
 #include "support/populations.hpp"
 #include "trajectories/fit/population/population_problem.hpp"

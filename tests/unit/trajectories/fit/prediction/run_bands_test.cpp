@@ -10,7 +10,7 @@
 #include "lacuna/core/statistics/interval.hpp"
 #include "lacuna/data/records/marks.hpp"
 #include "lacuna/dynamics/integration/simulate.hpp"
-#include "lacuna/model/files/ode_text.hpp"
+#include "lacuna/model/files/model_file.hpp"
 #include "lacuna/trajectories/fit/fit.hpp"
 #include "trajectories/fit/prediction/value_limits.hpp"
 

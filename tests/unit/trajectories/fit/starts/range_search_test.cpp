@@ -11,7 +11,7 @@
 #include "data/derivatives/finite_differences.hpp"
 #include "dynamics/integration/runge_kutta.hpp"
 #include "lacuna/dynamics/integration/simulate.hpp"
-#include "lacuna/model/files/ode_text.hpp"
+#include "lacuna/model/files/model_file.hpp"
 #include "lacuna/records/binding/model_view.hpp"
 #include "lacuna/trajectories/fit/fit.hpp"
 #include "support/grey_box.hpp"

@@ -7,7 +7,7 @@
 #include <unsupported/Eigen/KroneckerProduct>
 #include <unsupported/Eigen/MatrixFunctions>
 
-#include "lacuna/model/files/ode_text.hpp"
+#include "lacuna/model/files/model_file.hpp"
 #include "support/random_matrix.hpp"
 #include "support/stiff_models.hpp"
 #include "trajectories/sensitivities/implicit/radau_system.hpp"

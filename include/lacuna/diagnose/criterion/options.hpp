@@ -8,11 +8,10 @@
 #include "lacuna/core/base/stages_done.hpp"
 #include "lacuna/data/records/noise.hpp"
 #include "lacuna/diagnose/criterion/criterion.hpp"
-#include "lacuna/effects/effect_family.hpp"
+#include "lacuna/effects/effects.hpp"
 #include "lacuna/forms/candidate/effect.hpp"
-#include "lacuna/forms/candidate/reading.hpp"
 #include "lacuna/records/binding/gaps.hpp"
-#include "lacuna/records/binding/model_view.hpp"
+#include "lacuna/trajectories/smoother/noise_model.hpp"
 
 namespace lacuna {
 
