@@ -13,6 +13,7 @@ cmake --build "$work/build" >/dev/null
 "$work/build/consumer" >"$work/answers"
 "$work/build/own_parts" >"$work/own_answers"
 "$work/build/from_c"
+"$work/build/own_contract" --gtest_brief=1
 grep -q 'dv/dt = -4\*q - 0.2\*v' "$work/answers"
 grep -q 'coulomb-friction' "$work/answers"
 grep -q 'dv/dt = -4\*x - 0.3\*v\*abs(v)' "$work/own_answers"

@@ -1,18 +1,17 @@
 // SPDX-License-Identifier: MIT
-// What the contract suites share: all registered parts and a small good problem.
+// What the contract suites share: all registered parts, and what is installed for those of
+// others.
 #pragma once
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cctype>
 #include <ostream>
 #include <string>
 #include <vector>
 
 #include "cli/configuration/variants.hpp"
-#include "core/base/random.hpp"
-#include "lacuna/regression/linear/least_squares_system.hpp"
+#include "lacuna/testing.hpp"
 
 namespace lacuna {
 
@@ -48,54 +47,13 @@ Stage<Interface> stage_of(const StageVariant& variant) {
   return Stage<Interface>(std::dynamic_pointer_cast<const Interface>(variant.stage));
 }
 
-inline constexpr Index kRows = 400;
-inline constexpr Index kTerms = 6;
-
-/// Coefficients of the small good problem: terms 1 and 4 count.
-inline Vector true_coefficients() {
-  Vector h = Vector::Zero(kTerms);
-  h[1] = 2.0;
-  h[4] = -0.75;
-  return h;
-}
-
-/// n x 6 standard normal entries.
-inline Matrix good_columns() {
-  Random random(7);
-  Matrix theta(kRows, kTerms);
-  for (Index j = 0; j < kTerms; ++j)
-    for (Index i = 0; i < kRows; ++i) theta(i, j) = random.normal();
-  return theta;
-}
-
-/// A system over the given columns with the target Theta h plus noise.
-inline LeastSquaresSystem system_over(const Matrix& theta, double noise = 0.0,
-                                      int threads = 1) {
-  Random random(11);
-  Matrix target = theta.leftCols(kTerms) * true_coefficients();
-  for (Index i = 0; i < target.rows(); ++i) target(i, 0) += noise * random.normal();
-  std::vector<std::string> names;
-  for (Index j = 0; j < theta.cols(); ++j) names.push_back("c" + std::to_string(j));
-  RunContext context;
-  context.threads = threads;
-  return {make_row_source(theta, target), names, {"y"}, context};
-}
-
-/// Well-conditioned and without noise.
-inline LeastSquaresSystem good_system() { return system_over(good_columns()); }
-
-/// Whether kept and removed are disjoint and together `all`.
-template <class Result>
-void expect_partition(const Result& result, const TermSet& all) {
-  TermSet together = result.kept;
-  EXPECT_TRUE(std::is_sorted(together.begin(), together.end()));
-  for (const auto& removal : result.removed) {
-    together.push_back(removal.term);
-    EXPECT_FALSE(removal.quantity.empty());
-    EXPECT_GE(removal.step, 1);
-  }
-  std::sort(together.begin(), together.end());
-  EXPECT_EQ(together, all);
+/// Every variant of a kind that this build has, as its plug point.
+template <class Interface>
+std::vector<Stage<Interface>> stages_of() {
+  std::vector<Stage<Interface>> all;
+  for (const StageVariant& variant : available(Interface::kKind))
+    all.push_back(stage_of<Interface>(variant));
+  return all;
 }
 
 }  // namespace lacuna::contract

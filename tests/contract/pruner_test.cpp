@@ -4,104 +4,29 @@
 #include "contract/contract.hpp"
 #include "lacuna/regression/stages/refiner.hpp"
 #include "lacuna/regression/stages/solvers.hpp"
-#include "solvers/ols.hpp"
 #include "support/one_record.hpp"
 
 namespace lacuna::contract {
 namespace {
 
-class EveryPruner : public testing::TestWithParam<StageVariant> {
- protected:
-  PruneResult prune(const LeastSquaresSystem& system, const TermSet& active) const {
-    return stage_of<TermPruner>(GetParam())->prune(system, 0, active, Ols{});
-  }
-};
+INSTANTIATE_TEST_SUITE_P(Registry, PrunerContract, ::testing::ValuesIn(stages_of<TermPruner>()),
+                         name_of_stage<TermPruner>);
+INSTANTIATE_TEST_SUITE_P(Registry, FilterContract, ::testing::ValuesIn(stages_of<TermFilter>()),
+                         name_of_stage<TermFilter>);
 
-bool contains(const TermSet& terms, Index term) {
-  return std::find(terms.begin(), terms.end(), term) != terms.end();
-}
-
-TEST_P(EveryPruner, KeepsTheTrueTerms) {
-  for (const double noise : {0.0, 0.05}) {
-    const LeastSquaresSystem system = system_over(good_columns(), noise);
-    const PruneResult result = prune(system, system.all_terms());
-    expect_partition(result, system.all_terms());
-    EXPECT_TRUE(contains(result.kept, 1) && contains(result.kept, 4)) << "noise " << noise;
-  }
-}
-
-TEST_P(EveryPruner, ChoosesFromTheActiveTermsOnly) {
-  const LeastSquaresSystem system = good_system();
-  const TermSet active = {1, 2, 4};
-  expect_partition(prune(system, active), active);
-}
-
-TEST_P(EveryPruner, NothingIsChosenFromNothing) {
-  const PruneResult result = prune(good_system(), {});
-  EXPECT_TRUE(result.kept.empty());
-  EXPECT_TRUE(result.removed.empty());
-}
+class EveryPruner : public ::testing::TestWithParam<Stage<TermPruner>> {};
 
 TEST_P(EveryPruner, WorksWithEveryRegressor) {
   const LeastSquaresSystem system = system_over(good_columns(), 0.05);
-  for (const StageVariant& variant : available(Regressor::kKind)) {
-    const auto pruner = stage_of<TermPruner>(GetParam());
-    const auto regressor = stage_of<Regressor>(variant);
-    const PruneResult result = pruner->prune(system, 0, system.all_terms(), *regressor);
+  for (const Stage<Regressor>& regressor : stages_of<Regressor>()) {
+    const PruneResult result = GetParam()->prune(system, 0, system.all_terms(), regressor);
     expect_partition(result, system.all_terms());
-    EXPECT_TRUE(contains(result.kept, 1) && contains(result.kept, 4)) << variant.label;
+    EXPECT_TRUE(contains(result.kept, 1) && contains(result.kept, 4)) << regressor->info().name;
   }
 }
 
-TEST_P(EveryPruner, RefusesATargetThatIsNotThere) {
-  const LeastSquaresSystem system = good_system();
-  const auto pruner = stage_of<TermPruner>(GetParam());
-  EXPECT_THROW(pruner->prune(system, 1, system.all_terms(), Ols{}), ArgumentError);
-}
-
-INSTANTIATE_TEST_SUITE_P(Registry, EveryPruner, testing::ValuesIn(available(TermPruner::kKind)),
-                         test_name);
-
-class EveryFilter : public testing::TestWithParam<StageVariant> {
- protected:
-  FilterResult filter(const LeastSquaresSystem& system) const {
-    return stage_of<TermFilter>(GetParam())->filter(system);
-  }
-};
-
-TEST_P(EveryFilter, KeepsEveryTermOfAGoodProblem) {
-  const LeastSquaresSystem system = good_system();
-  const FilterResult result = filter(system);
-  EXPECT_EQ(result.kept, system.all_terms());
-  EXPECT_TRUE(result.removed.empty());
-}
-
-TEST_P(EveryFilter, RemovesColumnsOfZeros) {
-  Matrix theta = good_columns();
-  theta.col(3).setZero();
-  const LeastSquaresSystem system = system_over(theta);
-  const FilterResult result = filter(system);
-  expect_partition(result, system.all_terms());
-  ASSERT_EQ(result.removed.size(), 1u);
-  EXPECT_EQ(result.removed[0].term, 3);
-}
-
-TEST_P(EveryFilter, PartitionsDependentTerms) {
-  Matrix theta(kRows, kTerms + 1);
-  theta << good_columns(), good_columns().col(0) + 2.0 * good_columns().col(1);
-  const LeastSquaresSystem system = system_over(theta);
-  const FilterResult result = filter(system);
-  expect_partition(result, system.all_terms());
-  EXPECT_LE(result.removed.size(), 1u);
-}
-
-TEST_P(EveryFilter, ThreadsDoNotChangeTheResult) {
-  EXPECT_EQ(filter(system_over(good_columns(), 0.1, 1)).kept,
-            filter(system_over(good_columns(), 0.1, 2)).kept);
-}
-
-INSTANTIATE_TEST_SUITE_P(Registry, EveryFilter, testing::ValuesIn(available(TermFilter::kKind)),
-                         test_name);
+INSTANTIATE_TEST_SUITE_P(Registry, EveryPruner, ::testing::ValuesIn(stages_of<TermPruner>()),
+                         name_of_stage<TermPruner>);
 
 /// x = cos 2t, y = -2 sin 2t.
 Dataset oscillator() {

@@ -203,7 +203,7 @@ std::set<std::string> compiled_pages() {
   const std::string root = LACUNA_SOURCE_DIR;
   for (const auto& [file, pattern] :
        {std::pair{"/tests/CMakeLists.txt", "lacuna_page_program\\(([^ ]+) "},
-        std::pair{"/tests/consumer/CMakeLists.txt", "([A-Za-z_/]+\\.md)=[a-z]+"}}) {
+        std::pair{"/tests/consumer/CMakeLists.txt", "([A-Za-z_/-]+\\.md)=[a-z]+"}}) {
     std::ifstream stream(root + file);
     const std::string text{std::istreambuf_iterator<char>(stream), {}};
     const std::regex call(pattern);
@@ -216,13 +216,13 @@ std::set<std::string> compiled_pages() {
 /// No block stays unread: shells run, models and configurations are read here, C++ is compiled
 /// (compiled_pages()), Python run by python/tests; what is only indented nobody finds.
 TEST(Pages, BlocksAreOfKindsThatTestsKnow) {
-  const std::set<std::string> kinds = {"sh", "text", "ode", "json", "cpp", "python"};
+  const std::set<std::string> kinds = {"sh", "text", "ode", "json", "cpp", "c", "python"};
   std::set<std::string> with_cpp, with_json;
   int count = 0;
   for (const PageText& page : all_pages()) {
     for (const Block& block : page.blocks) {
       EXPECT_TRUE(kinds.contains(block.kind.substr(0, block.kind.find(' ')))) << page.path;
-      if (block.kind == "cpp") with_cpp.insert(page.path);
+      if (block.kind == "cpp" || block.kind == "c") with_cpp.insert(page.path);
       if (block.kind == "json") with_json.insert(page.path);
       ++count;
     }

@@ -81,7 +81,10 @@ bool is_described_elsewhere(const Lines& lines, const FunctionText& function) {
       colon == std::string::npos ? function.owner : function.owner.substr(colon + 1);
   const bool copies = function.name == type && function.types.size() == 1 &&
                       function.types[0].find(type + "&") != std::string::npos;
-  return copies || function.name[0] == '~' || function.name == "operator=" ||
+  const bool is_macro = std::none_of(function.name.begin(), function.name.end(), [](char c) {
+    return std::islower(static_cast<unsigned char>(c)) != 0;
+  });  // of GoogleTest, in the suites that are installed
+  return copies || is_macro || function.name[0] == '~' || function.name == "operator=" ||
          function.name == "operator==" || function.name == "describe" ||
          head.find(" override") != std::string::npos ||
          head.find(" final") != std::string::npos;

@@ -77,7 +77,7 @@ Dataset noisy_record(const Condition& condition, std::uint64_t seed) {
   Dataset record;
   record.states = rossler.model.states();
   record.trajectories.push_back(std::move(trajectory));
-  return with_relative_noise(std::move(record), condition.noise, seed);
+  return add_relative_noise(record, condition.noise, seed, NoisyRates::Kept);
 }
 
 Dataset without_derivatives(Dataset record) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What effects are written with: terms of a model, forms, patterns, families.
+// Numbers that are not finite make numbers that are not finite.
 #pragma once
 
 #include <map>

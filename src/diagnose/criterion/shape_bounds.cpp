@@ -30,7 +30,7 @@ bool is_on_bound(const ShapeParameter& shape, double value) {
     const double size = bound != 0.0 ? kOfBound * std::abs(bound) : shape.high - shape.low;
     return std::abs(value - bound) <= std::min(size, kOfRange * (shape.high - shape.low));
   };
-  return is_at(shape.low) || is_at(shape.high);
+  return (is_at(shape.low) && !shape.plain_at_low) || is_at(shape.high);
 }
 
 std::optional<double> time_on_bound(const FittedEffect& effect, const std::string& time_unit) {

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/check.hpp"
 #include "core/base/random.hpp"
 #include "data/records/check_record.hpp"
 #include "data/records/state_statistics.hpp"
@@ -36,6 +37,15 @@ void check_sigma(const Dataset& record, const Vector& sigma) {
                       "the record has " + std::to_string(record.state_count()) + " states");
 }
 
+void add_to_columns(Matrix& values, double fraction, Random& random) {
+  for (Index k = 0; k < values.cols(); ++k) {
+    const double mean = values.col(k).mean();
+    const double deviation = std::sqrt((values.col(k).array() - mean).square().mean());
+    for (Index i = 0; i < values.rows(); ++i)
+      values(i, k) += fraction * deviation * random.normal();
+  }
+}
+
 }  // namespace
 
 Dataset record_of(const OdeModel& model, const Integrator& integrator, const Vector& x0,
@@ -63,12 +73,26 @@ Dataset add_noise(const Dataset& record, const Vector& sigma, std::uint64_t seed
   return noisy;
 }
 
-Dataset add_relative_noise(const Dataset& record, double fraction, std::uint64_t seed) {
+Dataset add_relative_noise(const Dataset& record, double fraction, std::uint64_t seed,
+                           NoisyRates rates) {
+  check_argument(fraction >= 0.0 && std::isfinite(fraction), "add_relative_noise",
+                 "the noise is negative or not finite", "give a fraction such as 0.01");
   check_columns(record, "add_relative_noise");
-  Vector sigma(record.state_count());
-  for (Index k = 0; k < sigma.size(); ++k)
-    sigma[k] = fraction * std::sqrt(state_variance(record, k));
-  return add_noise(record, sigma, seed);
+  if (rates == NoisyRates::Dropped) {
+    Vector sigma(record.state_count());
+    for (Index k = 0; k < sigma.size(); ++k)
+      sigma[k] = fraction * std::sqrt(state_variance(record, k));
+    return add_noise(record, sigma, seed);
+  }
+  check_form(record);
+  Dataset noisy = record;
+  if (fraction == 0.0) return noisy;
+  Random random(seed);
+  for (Trajectory& trajectory : noisy.trajectories) {
+    add_to_columns(trajectory.states, fraction, random);
+    if (trajectory.has_derivatives()) add_to_columns(trajectory.derivatives, fraction, random);
+  }
+  return noisy;
 }
 
 Dataset quantise(const Dataset& record, int bits, double range) {

@@ -7,24 +7,15 @@
 #include <limits>
 
 #include "core/base/check.hpp"
-#include "core/base/random.hpp"
 #include "core/base/text.hpp"
 #include "core/base/user_text.hpp"
 #include "dynamics/integration/runge_kutta.hpp"
 #include "lacuna/dynamics/integration/synchroniser.hpp"
+#include "lacuna/dynamics/test_systems/test_systems.hpp"
 #include "lacuna/model/equations/ode_model.hpp"
 
 namespace lacuna {
 namespace {
-
-void add_noise(Matrix& values, double fraction, Random& random) {
-  for (Index k = 0; k < values.cols(); ++k) {
-    const double mean = values.col(k).mean();
-    const double deviation = std::sqrt((values.col(k).array() - mean).square().mean());
-    for (Index i = 0; i < values.rows(); ++i)
-      values(i, k) += fraction * deviation * random.normal();
-  }
-}
 
 std::optional<double> median_of(std::vector<double> values) {
   if (values.empty()) return std::nullopt;
@@ -52,8 +43,8 @@ std::vector<Dataset> copies_of(const BenchTask& task, double noise, std::uint64_
   std::vector<Dataset> copies;
   const int draws = noise > 0.0 ? task.draws : 1;
   for (int draw = 0; draw < draws; ++draw)
-    copies.push_back(
-        with_relative_noise(task.data, noise, seed + static_cast<std::uint64_t>(draw)));
+    copies.push_back(add_relative_noise(
+        task.data, noise, seed + static_cast<std::uint64_t>(draw), NoisyRates::Kept));
   return copies;
 }
 
@@ -111,19 +102,6 @@ BenchSummary summary_of(const BenchCell& cell) {
   summary.sync = median_of(std::move(sync));
   summary.seconds = median_of(std::move(seconds));
   return summary;
-}
-
-Dataset with_relative_noise(Dataset data, double fraction, std::uint64_t seed) {
-  check_argument(fraction >= 0.0 && std::isfinite(fraction), "with_relative_noise",
-                 "the noise is negative or not finite", "give a fraction such as 0.01");
-  check_form(data);
-  if (fraction == 0.0) return data;
-  Random random(seed);
-  for (Trajectory& trajectory : data.trajectories) {
-    add_noise(trajectory.states, fraction, random);
-    if (trajectory.has_derivatives()) add_noise(trajectory.derivatives, fraction, random);
-  }
-  return data;
 }
 
 BenchScore bench_score(const Pipeline& pipeline, const Dataset& noisy, const Dataset& clean,

@@ -40,9 +40,19 @@ Dataset record_of(const OdeModel& model, const Integrator& integrator, const Vec
 /// @throws ArgumentError unless there is one finite sigma >= 0 per state; the same below.
 Dataset add_noise(const Dataset& record, const Vector& sigma, std::uint64_t seed);
 
-/// The same relative noise on all states: sigma_i = share times the standard deviation of state
-/// i.
-Dataset add_relative_noise(const Dataset& record, double fraction, std::uint64_t seed);
+/// What noise does to derivatives that came with a record.
+enum class NoisyRates {
+  Dropped,  ///< they are not measured
+  Kept,     ///< they get noise of their own, record by record
+};
+
+/// The same relative noise on all states: sigma_i = fraction times the standard deviation of
+/// state i; with derivatives that are kept, of each record by itself.
+/// @throws ArgumentError when the fraction is negative or not finite; DataError as
+/// check_form(),
+///   where derivatives are kept.
+Dataset add_relative_noise(const Dataset& record, double fraction, std::uint64_t seed,
+                           NoisyRates rates = NoisyRates::Dropped);
 
 /// The states as an analogue-digital converter gives them: the nearest of 2^bits levels
 /// k 2 range / 2^bits, k = -2^(bits-1) .. 2^(bits-1) - 1, clipped at the ends.

@@ -26,6 +26,9 @@ struct ShapeParameter {
   double low = 0.0;          ///< smallest value that makes sense
   double high = 0.0;         ///< largest value that makes sense, >= low
   bool logarithmic = false;  ///< searched on a logarithmic scale (low > 0)
+  /// Whether the form with the smallest value is as good as a plainer one in any record (a bend
+  /// that is a jump): that end is no bound of what makes sense.
+  bool plain_at_low = false;
 };
 
 /// A state of the effect's own that is not measured: d(name)/dt = rate, started at `start`.

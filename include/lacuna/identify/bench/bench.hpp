@@ -69,10 +69,6 @@ struct BenchSummary {
 /// A sync error of a draw that diverged counts as infinite; failed draws count as not exact.
 BenchSummary summary_of(const BenchCell& cell);
 
-/// White noise of standard deviation fraction * (that of the column) on all states and, where
-/// there are some, derivatives. @throws ArgumentError for a negative fraction or no number.
-Dataset with_relative_noise(Dataset data, double fraction, std::uint64_t seed);
-
 /// One identification of noisy data, its model driven by the clean ones (RK4).
 /// @throws what identify() throws; ArgumentError when the truth has other states than the data;
 ///   OutOfTime past the deadline: what it cuts is no score.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Models with parameters, outputs and initial states.
+// Numbers that are not finite make numbers that are not finite.
 #pragma once
 
 #include <array>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The linear system of all equations, and the problem of one.
+// Numbers that are not finite make numbers that are not finite.
 #pragma once
 
 #include <functional>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Plug point that refines a model on its records.
+// Numbers that are not finite make numbers that are not finite.
 #pragma once
 
 #include <optional>

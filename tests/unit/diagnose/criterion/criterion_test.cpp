@@ -209,6 +209,9 @@ TEST(ShapeBounds, ARangeEndsWhereASearchResolvesNoMore) {
   EXPECT_FALSE(is_on_bound(shape, 0.102));
   EXPECT_TRUE(is_on_bound(shape, 9.995));
   EXPECT_FALSE(is_on_bound(shape, 9.9));
+  const ShapeParameter jump{"width", "m", 0.1, 10.0, true, true};
+  EXPECT_FALSE(is_on_bound(jump, 0.1)) << "as good as a jump";
+  EXPECT_TRUE(is_on_bound(jump, 10.0));
   EXPECT_TRUE(is_on_bound({"edge", "m", 0.0, 1.0, false}, 0.0009))
       << "a thousandth of the range";
 }

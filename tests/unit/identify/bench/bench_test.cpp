@@ -69,7 +69,7 @@ TEST(Bench, DrawsAreTheSameForAllCompositionsAndEveryRun) {
   for (std::size_t i = 0; i < 4; ++i)
     EXPECT_EQ(summary_of(a.cells[i]).coefficient_error, summary_of(b.cells[i]).coefficient_error);
   const Dataset record = lorenz_record();
-  const Dataset noisy = with_relative_noise(record, 0.1, 5);
+  const Dataset noisy = add_relative_noise(record, 0.1, 5, NoisyRates::Kept);
   const Matrix difference = noisy.trajectories[0].states - record.trajectories[0].states;
   for (Index k = 0; k < 3; ++k) {
     const Vector column = record.trajectories[0].states.col(k);
@@ -127,7 +127,7 @@ TEST(Bench, RefusesTasksThatDoNotFit) {
   task = two_regressors();
   task.draws = 0;
   EXPECT_THROW(bench(task), ArgumentError);
-  EXPECT_THROW(with_relative_noise(lorenz_record(), -1.0, 1), ArgumentError);
+  EXPECT_THROW(add_relative_noise(lorenz_record(), -1.0, 1), ArgumentError);
 }
 
 TEST(Bench, PastTheDeadlineCellsAreLeftOut) {
