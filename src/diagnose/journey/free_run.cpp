@@ -18,6 +18,9 @@ namespace {
 // Facts of the comparison. Two runs are together while they are nearer than this fraction of a
 // deviation; starts are off by the noise, and by so much at least; longer records show no more.
 constexpr double kTogether = 0.3, kLeastOff = 1e-3;
+// A thousandth of that is enough of an integration; at rest under dry friction, where steps
+// would get shorter with the tolerance without end, a hundredth of a sampling interval is.
+constexpr double kAccuracy = 1e-3 * kLeastOff, kAlongJump = 1e-2;
 constexpr Index kMostSamples = 10000;
 
 /// The states of a model that have rates: channels that are formulas of these have none.
@@ -62,6 +65,16 @@ struct FreeRun {
   bool diverged = false;
 };
 
+/// How runs are integrated: errors of a step are small beside what starts are off.
+Automatic integrator_for(const FreeRunTask& task) {
+  double least = 1.0;
+  for (const double scale : task.scale)
+    if (scale > 0.0) least = std::min(least, scale);
+  return Automatic({.control = {.relative_tolerance = kAccuracy,
+                                .absolute_tolerance = kAccuracy * least,
+                                .along_jump = kAlongJump}});
+}
+
 /// A run over part of a record, of whose inputs all are known: all states of the model.
 FreeRun run_of(const FreeRunTask& task, const std::vector<Index>& kept, const Vector& start,
               const Trajectory& whole, const Trajectory& part, const RunContext& context) {
@@ -69,8 +82,7 @@ FreeRun run_of(const FreeRunTask& task, const std::vector<Index>& kept, const Ve
   const OdeModel own = with_rates_only(model, kept);
   RecordInput input(whole, own.inputs());
   const auto signal = [&](double t, double* u) { input(t, u); };
-  const Automatic integrator;
-  const Solution run = simulate(DrivenModel{own, signal, input.breaks()}, integrator,
+  const Solution run = simulate(DrivenModel{own, signal, input.breaks()}, integrator_for(task),
                                 Vector(start(kept)), part.time, context);
   const Index rows = run.states.rows();
   Matrix all(rows, model.dimension());

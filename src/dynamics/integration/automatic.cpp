@@ -12,10 +12,11 @@ namespace {
 
 CvodeOptions implicit_options(const StepControl& control) {
   constexpr double kFiner = 0.01, kLeast = 1e-14;  // see the header; rounding
+  constexpr int kFewer = 10;  // what needs more steps in an interval is at a jump, not stiff
   return {.relative_tolerance = std::max(kFiner * control.relative_tolerance, kLeast),
           .absolute_tolerance = std::max(kFiner * control.absolute_tolerance, 1e-300),
           .max_step = control.max_step,
-          .max_steps = control.max_steps};
+          .max_steps = std::max(control.max_steps / kFewer, 1)};
 }
 
 }  // namespace

@@ -181,14 +181,15 @@ class AdaptiveStepper final : public RungeKuttaStepper {
         when_stiff_(std::move(when_stiff)) {}
 
   IntegrationStatus advance(RightHandSide rhs, double& t0, double t1, double* x) override {
-    was_in_vain_ = false;
+    if (rest_ > 0) --rest_;
     if (const auto status = implicitly(rhs, t0, t1, x)) return *status;
     start(x);
     if (step_ <= 0.0) step_ = first_step(rhs, t0, t1, x);
+    const int before_jumps = least_ > 0.0 ? kStepsAfterJumps : kStepsBeforeJumps;
     least_ = 0.0;
     for (int count = 0; t0 < t1; ++count) {
       const bool ends = count == control_.max_steps || too_small(t0);
-      if (ends || (count + 1) % kStepsBeforeJumps == 0) {
+      if (ends || (count + 1) % before_jumps == 0) {
         const IntegrationStatus status = stopped();
         const bool held = least_ == 0.0 && begin_along_jump(rhs, t0, t1, x);
         if (ends && !held) return status;
@@ -202,8 +203,12 @@ class AdaptiveStepper final : public RungeKuttaStepper {
   }
 
  private:
-  /// Steps after which it is asked whether rates jump: a fact of cost, for it takes two.
-  static constexpr int kStepsBeforeJumps = 1000;
+  /// Steps after which it is asked whether rates jump, in an interval and in one behind another
+  /// that ended along a jump: a fact of cost, for it takes two.
+  static constexpr int kStepsBeforeJumps = 1000, kStepsAfterJumps = 10;
+  /// Each time that implicit steps are in vain they rest for twice as many intervals: a body
+  /// that dry friction holds looks stiff in each. A fact of cost, as is the largest number.
+  static constexpr int kLongestRest = 1 << 16;
 
   /// How implicit steps ended; nothing where explicit ones have to go on. Steps along a jump of
   /// the rates look stiff, but what builds on past steps does not get across it.
@@ -211,10 +216,14 @@ class AdaptiveStepper final : public RungeKuttaStepper {
     if (!implicit_) return std::nullopt;
     const IntegrationStatus status = implicit_->advance(rhs, t, t1, x);
     if (!is_bounded(x)) return IntegrationStatus::Diverged;
-    if (status != IntegrationStatus::StepTooSmall) return status;
+    if (status != IntegrationStatus::StepTooSmall) {
+      next_rest_ = std::max(next_rest_ / 2, 1);
+      return status;
+    }
     implicit_.reset();
     stiffness_ = {};
-    was_in_vain_ = true;
+    rest_ = next_rest_;
+    next_rest_ = std::min(2 * next_rest_, kLongestRest);
     step_ = first_step(rhs, t, t1, x);
     return std::nullopt;
   }
@@ -257,7 +266,7 @@ class AdaptiveStepper final : public RungeKuttaStepper {
     grow(h, error, last);
     accept(x);
     t = last ? t1 : t + h;
-    if (along_a_jump || was_in_vain_ || !when_stiff_) return;
+    if (along_a_jump || rest_ > 0 || !when_stiff_) return;
     if (stiffness_.shows([&] { return h * stages_.decay_rate(h); }))
       implicit_ = when_stiff_();
   }
@@ -321,7 +330,8 @@ class AdaptiveStepper final : public RungeKuttaStepper {
   MakeStepper when_stiff_;
   StiffnessTest stiffness_;
   std::unique_ptr<Stepper> implicit_;
-  bool was_in_vain_ = false;  ///< implicit steps were, in this interval
+  int rest_ = 0;       ///< intervals, this one included, in which implicit steps are not tried
+  int next_rest_ = 1;  ///< after they were in vain once more
 };
 
 void describe_substeps(OptionVisitor& visitor, int& substeps) {

@@ -365,5 +365,21 @@ TEST(Automatic, RestsOnDryFrictionAndSlipsAgain) {
   EXPECT_LT((orbit.states - fixed.states).cwiseAbs().maxCoeff(), 5e-4);
 }
 
+// Steps along the jump from the second interval of a rest on, a hundred of seven stages each;
+// implicit ones, which do not get on there, are tried ever less often.
+TEST(Automatic, ARestOnDryFrictionCostsFewSteps) {
+  int evaluations = 0;
+  const auto held = [&](double, const double* x, double* dxdt) {
+    ++evaluations;
+    dxdt[0] = 0.3 - (x[0] > 0.0 ? 1.0 : -1.0);
+  };
+  const Vector start{{0.35}}, times = sample_times(0.0, 0.01, 501);
+  const Automatic integrator({.control = {.along_jump = 1e-2}});
+  const Solution orbit = integrator.integrate(held, start, times);
+  ASSERT_EQ(orbit.status, IntegrationStatus::Completed) << orbit.message;
+  EXPECT_LT(orbit.states.bottomRows(440).cwiseAbs().maxCoeff(), 2e-4);
+  EXPECT_LT(evaluations, 500 * 1000);
+}
+
 }  // namespace
 }  // namespace lacuna
