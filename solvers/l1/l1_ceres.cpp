@@ -142,6 +142,4 @@ L1Solution CeresL1::do_solve(const L1Problem& problem, const RunContext& context
   return solution;
 }
 
-Stage<L1Solver> ceres_l1(const CeresL1Options& options) { return CeresL1(options); }
-
 }  // namespace lacuna

@@ -22,8 +22,4 @@ L1Solution CoordinateDescent::do_solve(const L1Problem& problem,
   return l1_finished(problem, z, options().max_sweeps, options().tolerance);
 }
 
-Stage<L1Solver> coordinate_descent(const CoordinateDescentOptions& options) {
-  return CoordinateDescent(options);
-}
-
 }  // namespace lacuna

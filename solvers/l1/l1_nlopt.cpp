@@ -107,6 +107,4 @@ L1Solution NloptL1::do_solve(const L1Problem& problem, const RunContext& context
   return solution;
 }
 
-Stage<L1Solver> nlopt_l1(const NloptL1Options& options) { return NloptL1(options); }
-
 }  // namespace lacuna

@@ -149,6 +149,4 @@ std::unique_ptr<Stepper> Cvode::make_stepper(Index dimension) const {
   return std::make_unique<CvodeStepper>(dimension, options());
 }
 
-Stage<Integrator> cvode(const CvodeOptions& options) { return Cvode(options); }
-
 }  // namespace lacuna
