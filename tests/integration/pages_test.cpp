@@ -12,12 +12,13 @@
 namespace lacuna::testing {
 namespace {
 
-/// A line of a page that no test runs: "PAGE | START OF THE LINE, * for all | REASON".
+/// A line of a page that no test runs: "PAGE or FOLDER/ | START OF THE LINE or * | REASON".
 struct NotRun {
   std::string page, start, reason;
 
   bool covers(const std::string& path, const std::string& line) const {
-    return page == path && (start == "*" || line.rfind(start, 0) == 0);
+    const bool is_here = page.back() == '/' ? path.rfind(page, 0) == 0 : path == page;
+    return is_here && (start == "*" || line.rfind(start, 0) == 0);
   }
 };
 
@@ -210,6 +211,8 @@ std::set<std::string> compiled_pages() {
     for (std::sregex_iterator at(text.begin(), text.end(), call), end; at != end; ++at)
       if ((*at)[1].str().front() != '$') pages.insert((*at)[1]);
   }
+  for (const PageText& page : all_pages())  // tests/consumer/run.sh: all of this folder
+    if (page.path.rfind("docs/tutorial/", 0) == 0) pages.insert(page.path);
   return pages;
 }
 

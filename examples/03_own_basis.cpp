@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: MIT
-// A basis of one's own in one file, and the whole `lacuna` command with it:
-//   example_05_own_basis identify RECORD --set basis=harmonics --set basis.harmonics=2
-#include "lacuna/bases/bases.hpp"
-#include "lacuna/cli/commands/cli.hpp"
-
-namespace {
+// A basis of one's own, and the whole `lacuna` command with it.
+#include <lacuna/lacuna.hpp>
 
 struct HarmonicsOptions {
-  static constexpr lacuna::StageInfo kInfo{"harmonics", "1, x, sin(k x) and cos(k x)",
-                                           "example"};
+  static constexpr lacuna::StageInfo kInfo{"harmonics", "1, v, sin(k v) and cos(k v)", ""};
+
   int harmonics = 1;
+
   void describe(lacuna::OptionVisitor& visitor) {
     visitor.field({"harmonics", "", "Largest k.", 1.0, 20.0}, harmonics);
   }
@@ -21,19 +18,21 @@ class Harmonics final : public lacuna::Configured<lacuna::Basis, HarmonicsOption
 
  private:
   std::vector<lacuna::Term> do_terms(const lacuna::Variables& variables) const override {
-    std::vector<lacuna::Term> terms{lacuna::Term::parse("1", variables)};
-    for (const std::string& x : variables.states) {
-      terms.push_back(lacuna::Term::parse(x, variables));
+    std::vector<lacuna::Term> terms;
+    const auto add = [&](const std::string& formula) {
+      terms.push_back(lacuna::Term::parse(formula, variables));
+    };
+    add("1");
+    for (const std::string& input : variables.inputs) add(input);
+    for (const std::string& state : variables.states) {
+      add(state);
       for (int k = 1; k <= options().harmonics; ++k)
         for (const std::string function : {"sin(", "cos("})
-          terms.push_back(
-              lacuna::Term::parse(function + std::to_string(k) + "*" + x + ")", variables));
+          add(function + (k > 1 ? std::to_string(k) + "*" : "") + state + ")");
     }
     return terms;
   }
 };
-
-}  // namespace
 
 int main(int argc, char** argv) {
   lacuna::Registry registry = lacuna::default_registry();
