@@ -13,8 +13,8 @@ int main() {
                  .kinds = {"regressor"},
                  .noise = {1e-4, 3e-4, 1e-3, 3e-3, 1e-2},
                  .draws = 3};
-  for (const Stage<Regressor>& regressor : std::vector<Stage<Regressor>>{
-           ols(), stlsq(), frols(), best_subset(), irls_l1({coordinate_descent()})})
+  for (const Stage<Regressor>& regressor :
+       {ols(), stlsq(), frols(), best_subset(), irls_l1({coordinate_descent()})})
     task.compositions.push_back({{std::string(regressor->info().name)},
                                  {monomials({.max_degree = 2}), strong_form({savitzky_golay()}),
                                   abm(), regressor, keep_all(), no_refiner()}});
