@@ -33,7 +33,8 @@ typedef struct lacuna_records lacuna_records;
 lacuna_records* lacuna_records_new(const char* states, const char* inputs,
                                    const char* time_unit);
 
-/* Records from a file, as the command line reads them: text, .npy, .mat, HDF5, workbooks. */
+/* Records from a file, as the command line reads them: text, .npy, .mat, HDF5, workbooks. Columns are
+ * states; a model finds its states and inputs among them by name. */
 lacuna_records* lacuna_records_read(const char* path);
 
 /* One record more: n increasing times, states n x m and inputs n x p, row after row; inputs may
