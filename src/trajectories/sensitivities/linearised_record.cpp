@@ -127,6 +127,22 @@ Matrix ends_of_all(const Rates& rates, const StepSlots& slots, const FoundParts&
   return ends;
 }
 
+/// Ends of all steps where a few of them need more parts; nothing where none does, and where
+/// more parts do not help: then all have the most, as those of a stiff model.
+std::optional<Matrix> ends_where_some_need_more(const Rates& rates, const StepSlots& slots,
+                                                FoundParts& found, const Matrix& node_rates,
+                                                const Vector& accuracy) {
+  if (!found.some_need_more) return std::nullopt;
+  std::vector<Index> begins(static_cast<std::size_t>(slots.steps()));
+  for (std::size_t i = 0; i < begins.size(); ++i)
+    begins[i] = slots.grid.begin(static_cast<Index>(i));
+  std::optional<Matrix> ends =
+      refined_ends(rates, slots, ends_of_all(rates, slots, found, node_rates),
+                   node_rates(begins, Eigen::all), found.parts.front(), accuracy);
+  if (!ends) found = {std::vector<int>(found.parts.size(), kMostParts), {}, {}};
+  return ends;
+}
+
 /// The steps of a stiff model: slopes are those at the path, because what is fast decays within
 /// a step and does not take the state far from there.
 struct StiffSteps {
@@ -160,21 +176,23 @@ LinearisedRecord linearise(const OdeModel& model, const Trajectory& record, cons
   LinearisedRecord result = grid_of(model.inputs(), record, path);
   Rates rates(model);
   const StepSlots slots(with_delays(result, rates.delays()), m, rates.delays(), result.grid);
-  const FoundParts found =
+  FoundParts found =
       parts_for(rates, slots, {accuracy, accuracy_of_variations(result.range, accuracy)});
   const int parts = found.parts[1];  // for variations
   const Vector length =
       record.time.tail(result.samples() - 1) - record.time.head(result.samples() - 1);
   SecantSlopes secants =
       secant_slopes(rates, slots.nodes, part_lengths(length, result.grid, parts), accuracy);
+  std::optional<Matrix> ends =
+      ends_where_some_need_more(rates, slots, found, secants.rates, accuracy);
   StepResponses responses;
   if (std::optional<StiffSteps> stiff = stiff_steps(rates, slots, length, accuracy, found.parts)) {
     result.defect = (stiff->ends - path.bottomRows(path.rows() - 1)).transpose();
     secants.slopes = std::move(stiff->slopes);
     responses = std::move(stiff->responses);
   } else {
-    const Matrix ends = ends_of_all(rates, slots, found, secants.rates);
-    result.defect = (ends - path.bottomRows(path.rows() - 1)).transpose();
+    if (!ends) ends = ends_of_all(rates, slots, found, secants.rates);
+    result.defect = (*ends - path.bottomRows(path.rows() - 1)).transpose();
     responses = step_responses(secants.slopes, result.grid, length, {m, parts});
   }
   result.transition = std::move(responses.transition);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <numeric>
 #include <span>
 #include <utility>
 
@@ -90,6 +91,16 @@ class StepBlock {
   Program::SlotSet all_states_ = 0;
 };
 
+/// Rows in which two ends of a step differ by more than a tenth of what is accurate enough.
+std::vector<Index> steps_off(const Matrix& coarse, const Matrix& fine, const Vector& accuracy) {
+  std::vector<Index> rows;
+  for (Index i = 0; i < coarse.rows(); ++i)
+    if (!((coarse.row(i) - fine.row(i)).array().abs() <= 0.1 * accuracy.array().transpose())
+             .all())
+      rows.push_back(i);
+  return rows;
+}
+
 }  // namespace
 
 StepSlots::StepSlots(Matrix slots, Index state_count,
@@ -149,15 +160,16 @@ FoundParts parts_for(Rates& rates, const StepSlots& slots,
   for (Index i = 0; i < count; i += std::max<Index>(1, count / kTried))
     found.tried.push_back(i);
   const Matrix begin_rates = rates_at_begins(rates, slots, found.tried);
+  const auto few = static_cast<Index>(found.tried.size() / 10);
   std::size_t open = found.parts.size();
   Matrix coarse = ends_of_steps(rates, slots, found.tried, begin_rates, 1);
   for (int parts = 1; parts < kMostParts && open > 0; parts *= 2) {
     Matrix fine = ends_of_steps(rates, slots, found.tried, begin_rates, 2 * parts);
-    const Vector error = (coarse - fine).cwiseAbs().colwise().maxCoeff();
     for (std::size_t a = 0; a < accuracies.size(); ++a) {
-      if (found.parts[a] < kMostParts || !(error.array() <= 0.1 * accuracies[a].array()).all())
-        continue;
+      const Index off = static_cast<Index>(steps_off(coarse, fine, accuracies[a]).size());
+      if (found.parts[a] < kMostParts || off > (a == 0 ? few : 0)) continue;
       found.parts[a] = parts;
+      if (a == 0) found.some_need_more = off > 0;
       --open;
     }
     if (found.parts.front() == parts) found.ends = coarse;
@@ -165,6 +177,25 @@ FoundParts parts_for(Rates& rates, const StepSlots& slots,
   }
   if (found.parts.front() == kMostParts) found.ends = std::move(coarse);
   return found;
+}
+
+std::optional<Matrix> refined_ends(const Rates& rates, const StepSlots& slots, Matrix ends,
+                                   const Matrix& begin_rates, int parts,
+                                   const Vector& accuracy) {
+  std::vector<Index> open(static_cast<std::size_t>(slots.steps()));
+  std::iota(open.begin(), open.end(), Index{0});
+  for (; parts < kMostPartsOfOne && !open.empty(); parts *= 2) {
+    const Matrix fine =
+        ends_of_steps(rates, slots, open, begin_rates(open, Eigen::all), 2 * parts);
+    std::vector<Index> still;
+    for (const Index row : steps_off(ends(open, Eigen::all), fine, accuracy)) {
+      still.push_back(open[static_cast<std::size_t>(row)]);
+      ends.row(still.back()) = fine.row(row);
+    }
+    open = std::move(still);
+  }
+  if (!ends(open, Eigen::all).allFinite()) return std::nullopt;
+  return ends;
 }
 
 }  // namespace lacuna

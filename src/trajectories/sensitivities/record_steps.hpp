@@ -4,6 +4,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <vector>
 
 #include "lacuna/records/channels/node_grid.hpp"
@@ -40,8 +41,8 @@ struct StepSlots {
   }
 };
 
-/// The most parts of a step; see parts_for().
-constexpr int kMostParts = 32;
+/// The most parts of all steps and of a single one; see parts_for() and refined_ends().
+constexpr int kMostParts = 32, kMostPartsOfOne = 256;
 
 /// States at the ends of steps.
 /// @param steps numbers of the steps; @param parts steps of Runge and Kutta's method of order 4
@@ -59,12 +60,25 @@ struct FoundParts {
   std::vector<int> parts;    ///< for each of the accuracies
   std::vector<Index> tried;  ///< steps, in their order
   Matrix ends;               ///< of these with the first of `parts`
+  /// Whether a few of the steps need more than the first of `parts`: rates jump there.
+  bool some_need_more = false;
 };
 
 /// Parts of a step that leave an error of less than a tenth of each of several accuracies (an
-/// entry for each state), powers of two up to 32; a sample of the steps decides.
+/// entry for each state), powers of two up to 32; a sample of the steps decides. For the first
+/// accuracy it may be more in a tenth of the steps, which refined_ends() then does in more
+/// parts.
 FoundParts parts_for(Rates& rates, const StepSlots& slots,
                      const std::vector<Vector>& accuracies);
+
+/// The ends of steps, those that need more parts in twice as many again and again, up to
+/// kMostPartsOfOne: steps in which a rate jumps come nearer by as much as these get shorter.
+/// @param ends of all steps in `parts`. @param begin_rates one row for each step.
+/// @param accuracy an entry for each state, of which a tenth is enough.
+/// @return ends of all steps; nothing where one is not finite however many parts it has.
+std::optional<Matrix> refined_ends(const Rates& rates, const StepSlots& slots, Matrix ends,
+                                   const Matrix& begin_rates, int parts,
+                                   const Vector& accuracy);
 
 /// Number of states, and of parts in which a step is done.
 struct StepSize {

@@ -109,6 +109,33 @@ Vector integrated(Vector d, double from, double h, const std::function<Vector(do
   return d;
 }
 
+/// x' = 1.5 + sign(x) through 0 at t = 1.504, within one of 300 steps.
+TEST(PartsFor, OnlyStepsInWhichARateJumpsAreDoneInMore) {
+  constexpr Index kSteps = 300;
+  const Variables variables{{"x"}, {}};
+  Rates rates(OdeModel(
+      {{"x", ""}}, {},
+      {{{Term::parse("1", variables), 1.5}, {Term::parse("sign(x)", variables), 1.0}}}));
+  const Vector time = Vector::LinSpaced(kSteps + 1, 0.0, 3.0), past = time.array() - 1.504;
+  const Matrix path = (past.array() < 0.0).select(0.5 * past, 2.5 * past);
+  const Matrix begin_rates =
+      (path.topRows(kSteps).array() < 0.0)
+          .select(Matrix::Constant(kSteps, 1, 0.5), Matrix::Constant(kSteps, 1, 2.5));
+  const StepSlots grid(node_slots(time, path, 2), 1, {});
+  const Vector accuracy{{1e-3}};
+  const FoundParts found = parts_for(rates, grid, {accuracy});
+  EXPECT_EQ(found.parts.front(), 1);
+  EXPECT_TRUE(found.some_need_more);
+  std::vector<Index> steps;
+  for (Index i = 0; i < kSteps; ++i) steps.push_back(i);
+  const Matrix plain = ends_of_steps(rates, grid, steps, begin_rates, 1);
+  EXPECT_GT((plain - path.bottomRows(kSteps)).cwiseAbs().maxCoeff(), 1e-3);
+  const auto ends = refined_ends(rates, grid, plain, begin_rates, 1, accuracy);
+  ASSERT_TRUE(ends.has_value());
+  EXPECT_LT((*ends - path.bottomRows(kSteps)).cwiseAbs().maxCoeff(), 1e-4);
+  EXPECT_EQ(ends->topRows(150), plain.topRows(150)) << "as they were";
+}
+
 // One parabola alone is a rate with a large third derivative: Simpson's rule is less accurate
 // for it than for the smooth rates that the three make up.
 TEST(StepResponses, AreThoseOfAFineIntegration) {
