@@ -16,7 +16,7 @@ void add_friction(const Scope& scope, const Expression& v, std::vector<Candidate
   const double widest = speed.magnitude();
   result.push_back(
       shaped_candidate(formula(scope, "tanh(v/width)", {{"v", v}}), v,
-                       {"width", speed.unit, kNarrowestBend * widest, widest, true, true},
+                       {"width", speed.unit, 1e-4 * widest, widest, true, true},
                        starts_at({0.01 * widest, 0.1 * widest})));
 }
 

@@ -64,9 +64,10 @@ class RecordStream {
   /// Records in memory, which this refers to.
   RecordStream(const Dataset& data);  // NOLINT(google-explicit-constructor): a view
 
+  // NOLINTBEGIN(google-explicit-constructor): as above, of a temporary
   /// Records in memory, which this keeps.
-  RecordStream(
-      Dataset&& data);  // NOLINT(google-explicit-constructor): as above, of a temporary
+  RecordStream(Dataset&& data);
+  // NOLINTEND(google-explicit-constructor)
 
   /// Records that are read in pieces.
   /// @param description all that a dataset has beside its records.

@@ -101,7 +101,7 @@ Dataset view_of(const OdeModel& model, const lacuna_records* records) {
 }  // namespace
 }  // namespace lacuna
 
-using namespace lacuna;
+using namespace lacuna;  // NOLINT(google-build-using-namespace): C has no namespaces
 
 const char* lacuna_version(void) { return kVersion.data(); }
 

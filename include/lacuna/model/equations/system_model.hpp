@@ -125,10 +125,12 @@ struct Parameter {
 /// A model file: equations and outputs in states, inputs and named parameters. A value.
 class SystemModel {
  public:
+  // NOLINTBEGIN(google-explicit-constructor): a model is a system without parameters
   /// @param symbolic its last inputs are the parameters, in their order.
   /// @throws ModelError when they are not; for a value that is not finite or not in its range,
   ///   a range that is upside down, and a unit that is none (unit_fault()).
   SystemModel(OdeModel symbolic, std::vector<Parameter> parameters = {});
+  // NOLINTEND(google-explicit-constructor)
 
   const OdeModel& symbolic() const noexcept { return symbolic_; }  ///< with their names
   const std::vector<Parameter>& parameters() const noexcept { return parameters_; }  ///< all
