@@ -41,8 +41,8 @@ struct StepSlots {
   }
 };
 
-/// The most parts of all steps and of a single one; see parts_for() and refined_ends(). Facts of
-/// cost: a jump is found to so much of a step, and few steps have one.
+/// The most parts of all steps and of a single one; see parts_for() and refined_ends(). Facts
+/// of cost: a jump is found to so much of a step, and few steps have one.
 constexpr int kMostParts = 32, kMostPartsOfOne = 256;
 
 /// States at the ends of steps.
