@@ -14,10 +14,9 @@ void add_friction(const Scope& scope, const Expression& v, std::vector<Candidate
   // From where it cannot be distinguished from a jump to where it cannot be distinguished from
   // a straight line.
   const double widest = speed.magnitude();
-  result.push_back(
-      shaped_candidate(formula(scope, "tanh(v/width)", {{"v", v}}), v,
-                       {"width", speed.unit, 1e-4 * widest, widest, true, true},
-                       starts_at({0.01 * widest, 0.1 * widest})));
+  result.push_back(shaped_candidate(formula(scope, "tanh(v/width)", {{"v", v}}), v,
+                                    {"width", speed.unit, 1e-4 * widest, widest, true, true},
+                                    starts_at({0.01 * widest, 0.1 * widest})));
 }
 
 std::vector<Candidate> coulomb_friction_forms(const Scope& scope, Index equation) {
